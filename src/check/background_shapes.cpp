@@ -58,7 +58,7 @@ void check_background_shapes(CheckContext& context) {
     const Image background = background_of(context);
     if (picture.rgb.empty() || picture.rgb.size() != background.rgb.size()) return;
     const SmallSize size{picture.width, picture.height};
-    const RayList rays = camera_rays(world, size, 0, 0);
+    const RayList rays = camera_rays(world, size);
     const HitList hits = nearest_hits(world, rays, context.threads());
     const auto shape_at = [&](std::int32_t x, std::int32_t y) {
         const SurfaceId id = hits.surface[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +

@@ -92,8 +92,8 @@ bool check_camera(CheckContext& context, const VisibleHits& visible) {
     const WorldParts& world = context.world();
     if (world.geometry->count == 0) return false;
     bool planes = false;
-    for (const Generation& g : visible.generations) {
-        for (const SurfaceHit& h : g.hits) {
+    for (const std::vector<SurfaceHit>& hits : visible.generations) {
+        for (const SurfaceHit& h : hits) {
             if (world.geometry->is_bounded(h.surface)) return true;
             planes = true;
         }

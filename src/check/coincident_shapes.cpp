@@ -144,20 +144,34 @@ double tolerance(const Conventions& rules, double magnitude) {
     return number::min(number::max(epsilon, 1e-9 * magnitude), 1e-4 * magnitude);
 }
 
+// The World whose glass and transparent surfaces send no rays on: their bodies may rest on others.
+World without_glass(World world) {
+    WorldParts& parts = WorldAccess::own(world);
+    for (std::uint32_t row = 0; row <= parts.scene_materials(); ++row) {
+        const bool transparent = parts.is_transparent(row);
+        if (!transparent && !(parts.material(row)[k_transmission] > 0)) continue;
+        double* const values = parts.materials.own().data() + std::size_t{row} * k_material_values;
+        values[k_mirror] = values[k_transmission] = 0;
+        if (parts.extended->empty()) continue;
+        double* const extended = parts.extended.own().data() + std::size_t{row} * k_extended_values;
+        extended[k_extended_value<&Material::filter>] = extended[k_extended_value<&Material::transmit>] =
+            extended[k_extended_value<&Material::mirror_falloff>] = 0;
+    }
+    return world;
+}
+
 class Coincidences {
   public:
     explicit Coincidences(CheckContext& context) : context_(context), world_(context.world()) {}
 
     /// Looks along the camera's rays and, of mirrors, along the reflected rays of the first generations.
     void find() {
-        RayList rays = camera_rays(world_, context_.grid(k_longest), k_beside_x, k_beside_y);
-        rays_ = rays.size();
-        const int most = std::min(world_.settings.reflections, k_max_generations);
-        for (int generation = 0; rays.size() > 0; ++generation) {
-            const std::vector<SurfaceHit> hits = find_along(rays);
-            if (generation == most) break;
-            rays = secondary_rays(world_, hits, Followed::mirrors);
-        }
+        const SmallSize size = context_.grid(k_longest);
+        rays_ = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+        for (const std::vector<SurfaceHit>& hits :
+             follow_picture(without_glass(context_.prepared()).parts(), size, k_beside_x, k_beside_y,
+                            context_.threads()))
+            find_along(hits);
     }
 
     /// Marks the shapes whose faces coincide with another's.
@@ -198,46 +212,47 @@ class Coincidences {
     }
 
   private:
-    // Counts the coinciding faces that these rays meet first; returns the nearest hits.
-    std::vector<SurfaceHit> find_along(const RayList& rays) {
-        const HitList first = nearest_hits(world_, rays, context_.threads());
+    // Counts the faces that coincide with those that were hit.
+    void find_along(const std::vector<SurfaceHit>& hits) {
         // Of two that are hit at the same t, the later.
         World from_behind = context_.prepared();
         WorldAccess::own(from_behind).ties = TieRule::last;
-        const HitList last = nearest_hits(from_behind.parts(), rays, context_.threads());
-
-        RayList beyond;
-        std::vector<SurfaceHit> hits, before;
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (!first.surface[i].exists()) continue;
-            const SurfaceHit hit = surface_hit(world_, rays, first, i);
-            hits.push_back(hit);
-            if (last.surface[i] != first.surface[i]) {
-                consider(hit, surface_hit(world_, rays, last, i));
+        RayList at, beyond;
+        for (const SurfaceHit& hit : hits) at.add(hit.origin, hit.incoming, hit.t - hit.t * 0x1p-52);
+        const HitList last = nearest_hits(from_behind.parts(), at, context_.threads());
+        std::vector<const SurfaceHit*> nearer;
+        for (std::size_t i = 0; i < hits.size(); ++i) {
+            const SurfaceHit& hit = hits[i];
+            if (!last.surface[i].exists()) continue;
+            if (last.surface[i] != hit.surface) {
+                consider(hit, last.surface[i], hit.point);
                 continue;
             }
             const double slope = number::abs(dot(hit.normal, hit.incoming));
             if (slope < k_grazing * length(hit.incoming)) continue;
-            const double t = first.t[i];
-            beyond.add(rays.origin(i), hit.incoming, t,
-                       t + tolerance(world_.conventions, hit.magnitude) / slope);
-            before.push_back(hit);
+            beyond.add(hit.origin, hit.incoming, hit.t,
+                       hit.t + tolerance(world_.conventions, hit.magnitude) / slope);
+            nearer.push_back(&hit);
         }
         const HitList second = nearest_hits(world_, beyond, context_.threads());
-        for (std::size_t i = 0; i < beyond.size(); ++i)
-            if (second.surface[i].exists()) consider(before[i], surface_hit(world_, beyond, second, i));
-        return hits;
+        for (std::size_t i = 0; i < nearer.size(); ++i) {
+            if (second.surface[i].exists())
+                consider(*nearer[i], second.surface[i],
+                         nearer[i]->origin + nearer[i]->incoming * second.t[i]);
+        }
     }
 
-    void consider(const SurfaceHit& a, const SurfaceHit& b) {
-        if (a.shape == b.shape) return;
-        const double along = dot(a.normal, b.normal);
+    // b: a surface that the ray of `a` hits at `point`.
+    void consider(const SurfaceHit& a, SurfaceId b, Vec3 point) {
+        const std::uint32_t shape = world_.geometry->shape_of(b);
+        if (a.shape == shape) return;
+        const double along = dot(a.normal, facing_normal(world_, b, point, a.incoming));
         if (number::abs(along) < 1 - k_parallel) return;
-        const auto first = surface_values(world_, a.surface), second = surface_values(world_, b.surface);
+        const auto first = surface_values(world_, a.surface), second = surface_values(world_, b);
         // Two faces of equal materials show no difference, unless light goes through them.
         const bool same = along > 0 && first == second;
         if (same && !(first[k_transmission] > 0)) return;
-        ++pixels_[{std::min(a.shape, b.shape), std::max(a.shape, b.shape)}];
+        ++pixels_[{std::min(a.shape, shape), std::max(a.shape, shape)}];
     }
 
     CheckContext& context_;

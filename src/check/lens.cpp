@@ -25,7 +25,7 @@ struct View {
 };
 
 View view_of(const CheckContext& context, const WorldParts& world) {
-    const RayList rays = camera_rays(world, small_size(world.settings, k_view_side), 0, 0);
+    const RayList rays = camera_rays(world, small_size(world.settings, k_view_side));
     const HitList hits = nearest_hits(world, rays, context.threads());
     std::set<std::uint32_t> seen;
     std::size_t bounded = 0;

@@ -31,7 +31,7 @@ void check_backs(CheckContext& context, const VisibleHits& visible) {
     if (shading == Shading::color || shading == Shading::normals || context.world().lights->empty()) return;
     std::vector<Views> views(scene.shapes.size());
     for (const SurfaceHit& h : visible.seen()) {
-        if (h.turned || !is_sheet(scene.shapes[h.shape].kind)) continue;
+        if (flips_normal(context.world(), h.surface) || !is_sheet(scene.shapes[h.shape].kind)) continue;
         // A surface without a diffuse term looks the same from both sides, except for its highlights.
         if (brightest(context.material_of(h.shape).diffuse) <= 0) continue;
         ++(h.behind ? views[h.shape].behind : views[h.shape].front);

@@ -32,7 +32,7 @@ bool meets(const Bounds& box, Vec3 origin, Vec3 direction, double t) {
 }  // namespace
 
 double shapes_per_ray(const WorldParts& world, int threads) {
-    const RayList rays = camera_rays(world, small_size(world.settings, k_rays_a_side), 0, 0);
+    const RayList rays = camera_rays(world, small_size(world.settings, k_rays_a_side));
     const HitList hits = nearest_hits(world, rays, threads);
     const std::uint32_t step = world.geometry->bounded / k_max_boxes + 1;
     std::uint64_t met = 0;

@@ -246,8 +246,8 @@ std::string enclosure(const CheckContext& context, const WorldParts& world,
 void check_shapes(CheckContext& context, const VisibleHits& visible, const std::vector<bool>& explained) {
     const WorldParts& world = context.world();
     std::vector<bool> seen = explained;
-    for (const Generation& g : visible.generations)
-        for (const SurfaceHit& h : g.hits) seen[h.shape] = true;
+    for (const std::vector<SurfaceHit>& hits : visible.generations)
+        for (const SurfaceHit& h : hits) seen[h.shape] = true;
     mark_shadows(context, visible, seen);
     mark_bodies_of_lights(context.scene(), seen);
     Unseen unseen = find_unseen(world, seen);

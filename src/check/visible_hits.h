@@ -1,43 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The camera's visible hits, ray by ray, traced with the renderer's kernels.
+// The surfaces that the camera sees, directly and in mirrors and glass, as the renderer's kernels find them.
 #include <cstdint>
 #include <vector>
 
 #include "check/context.h"
-#include "trace/ray_list.h"
+#include "trace/surface_record.h"
 #include "world/appearance.h"
 
 namespace glint {
 
-/// A point of a surface that a ray hit.
-struct SurfaceHit {
-    Vec3 point, normal;  // unit normal, flipped towards the ray if the conventions say so
-    Vec3 incoming;       // the ray's direction
-    SurfaceId surface;
-    std::uint32_t shape = 0, material = 0;
-    std::size_t ray = 0;   // the index of the ray
-    bool turned = false;   // the conventions flip this shape's normal
-    double magnitude = 0;  // as in SurfacePoint
-    bool behind = false;   // the ray came from the back of the shape
-};
-SurfaceHit surface_hit(const WorldParts& world, const RayList& rays, const HitList& hits, std::size_t ray);
+/// The generations of secondary rays that the checks trace.
+inline constexpr std::size_t k_max_generations = 4;
 
-/// The hits of one generation of rays.
-struct Generation {
-    std::vector<SurfaceHit> hits;
-};
+/// The camera rays of a picture of this size.
+RayList camera_rays(const WorldParts& world, SmallSize size);
 
-/// The secondary rays that leave some hits as the renderer traces them, without their weights. Of more than
-/// 65536 hits, evenly spaced ones.
-enum class Followed : std::uint8_t { mirrors, mirrors_and_glass };
-RayList secondary_rays(const WorldParts& world, const std::vector<SurfaceHit>& hits, Followed followed);
-
-/// Generations of secondary rays that the checks trace.
-inline constexpr int k_max_generations = 4;
-
-/// The camera rays at `size`, each moved by (x, y) pixels from the renderer's.
-RayList camera_rays(const WorldParts& world, SmallSize size, double x, double y);
+/// The hits of the camera rays of a picture of this size, each moved by (x, y) pixels, and those of the
+/// secondary rays: at most k_max_generations, without empty ones at the end. If more than 65536 pixels have
+/// secondary rays, those of evenly spaced ones are traced.
+SurfaceRecord follow_picture(const WorldParts& world, SmallSize size, double x, double y, int threads);
 
 /// The first generations of rays of the picture.
 class VisibleHits {
@@ -47,9 +29,9 @@ class VisibleHits {
 
     static constexpr std::int32_t k_longest = 640;  // maximum camera rays per side
 
-    SmallSize size;                       // of the grid of camera rays
-    std::vector<Generation> generations;  // [0]: directly visible
-    const std::vector<SurfaceHit>& seen() const { return generations[0].hits; }
+    SmallSize size;             // of the grid of camera rays
+    SurfaceRecord generations;  // [0]: directly visible
+    const std::vector<SurfaceHit>& seen() const { return generations[0]; }
     std::size_t rays() const {
         return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bvh/rays.h"
+#include "glint/vec.h"
 
 namespace glint {
 
@@ -31,5 +32,10 @@ using GrowingColumn = std::vector<double, AlignedMemory<double>>;
 /// A column of at most n entries, with padding.
 template <class T, int n>
 struct alignas(k_ray_alignment) FixedColumn : std::array<T, std::size_t{n + k_ray_padding}> {};
+
+/// Entry i of three columns.
+template <class Column> inline Vec3 vec3_at(const Column* from, int i) {
+    return {(&from[0][0])[i], (&from[1][0])[i], (&from[2][0])[i]};
+}
 
 }  // namespace glint

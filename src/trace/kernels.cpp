@@ -5,6 +5,7 @@
 #include <hwy/foreach_target.h>  // must be the first include
 
 #include "simd/targets.h"
+#include "trace/follow_pixels-inl.h"
 #include "trace/kernels.h"
 #include "trace/tile-inl.h"
 
@@ -12,7 +13,9 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-Kernels kernels(const char* isa) { return {isa, &nearest_hit, &any_hit, &render_tile}; }
+Kernels kernels(const char* isa) {
+    return {isa, &nearest_hit, &any_hit, &render_tile, &make_pixel_rays, &follow_pixels};
+}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace glint

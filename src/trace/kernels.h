@@ -10,6 +10,7 @@
 #include "bvh/rays.h"
 #include "glint/render.h"
 #include "trace/hits/hit_columns.h"
+#include "trace/surface_record.h"
 #include "trace/tile.h"
 #include "world/world.h"
 
@@ -28,6 +29,12 @@ struct Kernels {
 
     /// Renders one tile.
     void (*render_tile)(const WorldParts&, const TileJob&, TileScratch&);
+
+    /// The camera rays of pixels, in their order.
+    void (*make_pixel_rays)(const WorldParts&, const PixelList&, RayBatch&);
+
+    /// Traces the rays of the scratch's pixels without lighting them, and adds the surfaces to the record.
+    void (*follow_pixels)(const WorldParts&, TileScratch&, SurfaceRecord&);
 };
 
 /// The kernels that this machine supports, best first.

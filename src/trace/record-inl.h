@@ -18,9 +18,6 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-template <class Column> inline Vec3 vec3_at(const Column* from, int i) {
-    return {(&from[0][0])[i], (&from[1][0])[i], (&from[2][0])[i]};
-}
 template <class Column> inline Color color_at(const Column* from, int i) {
     return {(&from[0][0])[i], (&from[1][0])[i], (&from[2][0])[i]};
 }

@@ -8,6 +8,7 @@
 #include "glint/layers.h"
 #include "glint/render.h"
 #include "trace/batches.h"
+#include "trace/surface_record.h"
 
 namespace glint {
 
@@ -78,6 +79,7 @@ struct TileScratch {
     int pixel_sample = 0;  // the number of the current sample of the pixels
     RayCounts counts;
     TileRecord* record = nullptr;  // records the stages of a one-pixel tile (trace/record.h); null: none
+    SurfaceRecord* surface_record = nullptr;  // records surfaces instead of lighting them; null: none
     /// Whether all stages run even if no ray hits a shape.
     bool needs_every_stage() const { return record != nullptr || first_hits.wanted; }
 };

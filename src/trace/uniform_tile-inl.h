@@ -25,6 +25,7 @@
 #include "trace/surface/collect_hits-inl.h"
 #include "trace/surface/color_surfaces-inl.h"
 #include "trace/surface/locate_surfaces-inl.h"
+#include "trace/surface/record_surfaces-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
@@ -138,6 +139,19 @@ inline void light_from_sky(const WorldParts& world, TileScratch& s) {
     s.sky.first += s.surfaces.count;
 }
 
+/// Records the surfaces of a range of rays, and queues the secondary rays of as many generations as the
+/// record has.
+inline void follow(const WorldParts& world, RayRange range, TileScratch& s) {
+    find_surfaces(world, range, s);
+    record_surfaces(world, s.rays, s.hits, range, s.surfaces, *s.surface_record);
+    if (!world.has_lighting() || static_cast<std::size_t>(s.rays.generation) + 1 >= s.surface_record->size())
+        return;
+    if (s.rays.hashed) hash_rays(s.pixel_hash, s.surfaces);
+    apply_beer_law(world, s.surfaces);
+    apply_fog(world, s.surfaces);
+    queue_secondary_rays(world, s.surfaces, s.secondary, s.film, s.counts, nullptr);
+}
+
 /// Runs the stages that follow intersect() for a range of rays. Adds their light to the film, and the mirror
 /// and glass rays of their surfaces to the next generation.
 inline void shade(const WorldParts& world, RayRange range, TileScratch& s) {
@@ -176,6 +190,10 @@ inline bool trace_sample(const WorldParts& world, TileScratch& s) {
             if (is_of_hits(world.fault)) put_faulty_hits(world, s.rays, s.hits);
             if (s.rays.transparent) skip_transparent(world, s.rays, s.hits, s.stepped_rays);
             if (s.rays.generation == 0 && !s.needs_every_stage() && all_missed(s.hits)) return false;
+            if (s.surface_record != nullptr) {
+                for_each_range(s.hits, [&](RayRange range) { follow(world, range, s); });
+                continue;
+            }
             if (world.occlusion && world.has_lighting()) trace_sky(world, s);
             for_each_range(s.hits, [&](RayRange range) { shade(world, range, s); });
         }

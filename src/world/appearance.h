@@ -67,10 +67,12 @@ inline bool flips_normal(const WorldParts& world, SurfaceId id) {
            (facing == Facing::open && world.geometry->is_open(id));
 }
 
-/// Whether a ray of this direction hits a surface with these normals from behind.
-inline bool hits_from_behind(const WorldParts& world, const SurfaceNormals& normals, Vec3 incoming) {
+/// The normal of the surface at a point, flipped towards a ray of this direction if the conventions say so.
+inline Vec3 facing_normal(const WorldParts& world, SurfaceId id, Vec3 point, Vec3 incoming) {
+    const SurfaceNormals normals = surface_normals(*world.geometry, id, point);
     const bool by_winding = world.conventions.facing == Facing::winding;
-    return dot(by_winding ? normals.face : normals.shading, incoming) > 0;
+    const bool behind = dot(by_winding ? normals.face : normals.shading, incoming) > 0;
+    return behind && flips_normal(world, id) ? -normals.shading : normals.shading;
 }
 
 /// Whether a row's material lets its surfaces block light, apart from transparent ones.
