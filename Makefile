@@ -121,9 +121,10 @@ bench:
 format:
 	@git ls-files '*.cpp' '*.h' | xargs clang-format-14 -i
 
-# The manual pages and completions, which are files of the source.
+# The manual pages and completions, which are files of the source, and what the table of terms is written to.
 generated: build
 	@tools/write-generated $(glint)
+	@cmake build/release -DGLINT_TESTS=ON >/dev/null && cmake --build build/release --target write_terms && build/release/tests/explain/write_terms .
 
 clean:
 	rm -rf build web/dist web/node_modules web/src/gallery web/src/lessons

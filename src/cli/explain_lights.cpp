@@ -8,6 +8,7 @@
 #include <numbers>
 #include <span>
 
+#include "explain/terms.h"
 #include "math/elementary.h"
 #include "math/transform.h"
 
@@ -152,11 +153,12 @@ std::string vectors_text(const Scene& scene, const ExplainedHit& hit, const Ligh
     const Light& light = scene.lights[terms.light];
     std::string how = fmt::format("L {}", vec(terms.to_light * (1 / terms.distance)));
     if (light.has_position()) how += fmt::format(", distance {}", number(terms.distance));
-    if (terms.attenuation != 1) how += fmt::format(", attenuation {}", number(terms.attenuation));
+    for_listed_terms(k_light_terms, terms, [&](std::string_view label, double value) {
+        how += fmt::format(", {} {}", label, number(value));
+    });
     if (light.is_spot() && reason(terms) != LightReason::outside_cone)
         how += fmt::format(", spot {} at {} degrees off its axis", number(terms.spot),
                            number(degrees_off_axis(light, terms)));
-    if (terms.emitter != 1) how += fmt::format(", emitter's cosine {}", number(terms.emitter));
     how += fmt::format("; N·L = {}", number(terms.n_l));
     const double brilliance = material_of(hit, scene).brilliance;
     if (brilliance != 1 && terms.n_l > 0)

@@ -11,6 +11,7 @@
 #include "cli/explain_numbers.h"
 #include "cli/explain_rays.h"
 #include "cli/explain_sum.h"
+#include "explain/terms.h"
 #include "scene/material_fields.h"
 
 namespace glint::cli {
@@ -123,6 +124,9 @@ class Tree {
         }
         text_.line(depth + 1,
                    fmt::format("ambient k_a I_a = {}{}", color(hit.ambient), swatch(style_, hit.ambient)));
+        for_listed_terms(k_hit_terms, hit, [&](std::string_view label, double value) {
+            text_.line(depth + 1, fmt::format("{} {}", label, number(value)));
+        });
         add_lights(text_, scene_, style_, hit, depth + 1);
         if (material_of(hit, scene_).mirror_falloff > 0)
             text_.line(depth + 1, fmt::format("mirror: {} at this angle", number(hit.mirror)));

@@ -9,6 +9,7 @@
 
 #include "base/status.h"
 #include "explain/references.h"
+#include "explain/terms.h"
 #include "glint/explain.h"
 #include "scene/material_fields.h"
 
@@ -23,6 +24,26 @@ Json to_json(Color c) { return {c.r, c.g, c.b}; }
 Json to_json(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
 // JSON has no infinity.
 Json finite(double number) { return number < 1e308 ? Json(number) : Json(); }
+
+// Adds the terms of a table that are given.
+template <class Of, std::size_t n>
+void add_terms(Json& json, const ExplainedTerm<Of> (&table)[n], const Of& of, const TermContext& context) {
+    for (const ExplainedTerm<Of>& term : table) {
+        if (term.is_given != nullptr && !term.is_given(of, context)) continue;
+        json[std::string(term.name)] = std::visit(
+            [&](auto member) -> Json {
+                if constexpr (std::is_same_v<decltype(member), double Of::*>) {
+                    return finite(of.*member);
+                } else if constexpr (std::is_same_v<decltype(member), int Of::*> ||
+                                     std::is_same_v<decltype(member), bool Of::*>) {
+                    return of.*member;
+                } else {
+                    return to_json(of.*member);
+                }
+            },
+            term.member);
+    }
+}
 
 void add_item(Json& item, const Scene& scene, const ItemTexts& texts, std::uint32_t index) {
     item["index"] = index;
@@ -78,12 +99,6 @@ template <class Terms> Json shadow_ray_json(const Terms& terms) {
             {"t_max", finite(terms.t_max)}};
 }
 
-/// Whether transparent surfaces color the light.
-bool is_filtered(const LightTerms& terms) {
-    return !terms.filters.empty() || std::any_of(terms.samples.begin(), terms.samples.end(),
-                                                 [](const auto& sample) { return !sample.filters.empty(); });
-}
-
 Json filters_json(const Scene& scene, std::span<const ShadowFilter> filters) {
     Json list = Json::array();
     for (const ShadowFilter& filter : filters) {
@@ -98,16 +113,11 @@ Json filters_json(const Scene& scene, std::span<const ShadowFilter> filters) {
 Json samples_json(const Scene& scene, const LightTerms& terms) {
     Json list = Json::array();
     for (const ShadowSample& sample : terms.samples) {
-        Json json = {{"sample", sample.sample},
-                     {"weight", sample.weight},
-                     {"position", to_json(sample.position)},
-                     {"blocked", sample.blocked},
-                     {"shadow_ray", shadow_ray_json(sample)}};
+        Json json;
+        add_terms(json, k_shadow_sample_terms, sample, {scene});
+        json["shadow_ray"] = shadow_ray_json(sample);
         if (sample.blocker) json["blocker"] = blocker_json(scene, *sample.blocker);
-        if (!sample.filters.empty()) {
-            json["filter"] = to_json(sample.filter);
-            json["filters"] = filters_json(scene, sample.filters);
-        }
+        if (!sample.filters.empty()) json["filters"] = filters_json(scene, sample.filters);
         list.push_back(std::move(json));
     }
     return list;
@@ -116,29 +126,10 @@ Json samples_json(const Scene& scene, const LightTerms& terms) {
 Json terms_json(const Scene& scene, const ExplainedHit& hit, const LightTerms& terms) {
     Json json = {{"light", light_json(scene, terms.light)},
                  {"reason", to_string(reason(terms))},
-                 {"highlight", to_string(highlight_reason(terms, hit, scene))},
-                 {"to_light", to_json(terms.to_light)},
-                 {"distance", terms.distance},
-                 {"attenuation", terms.attenuation},
-                 {"spot", terms.spot},
-                 {"emitter", terms.emitter},
-                 {"visible", terms.visible},
-                 {"n_l", finite(terms.n_l)},
-                 {"s", finite(terms.s)},
-                 {"power", terms.power},
-                 {"diffuse_factor", finite(terms.diffuse_factor)},
-                 {"diffuse", to_json(terms.diffuse)},
-                 {"specular", to_json(terms.specular)}};
-    const Material& material = material_of(hit, scene);
-    if (!(material.phong == Color{})) {
-        json["phong_s"] = terms.phong_s;
-        json["phong_power"] = terms.phong_power;
-    }
-    if (material.metallic > 0) json["highlight_tint"] = to_json(terms.highlight_tint);
-    if (is_filtered(terms)) json["filter"] = to_json(terms.filter);
+                 {"highlight", to_string(highlight_reason(terms, hit, scene))}};
+    add_terms(json, k_light_terms, terms, {scene, &hit});
     if (!terms.filters.empty()) json["filters"] = filters_json(scene, terms.filters);
     if (terms.sample >= 0) {
-        json["sample"] = terms.sample;
         const Light& light = scene.lights[terms.light];
         json["weight"] = 1.0 / (light.samples_u * light.samples_v);
     }
@@ -161,11 +152,12 @@ Json occlusion_json(const Scene& scene, const ExplainedOcclusion& occlusion) {
     for (const ExplainedOcclusion::Occluder& o : occlusion.occluders)
         occluders.push_back(
             {{"shape", shape_json(scene, o.shape)}, {"samples", o.samples}, {"weight", o.weight}});
-    return {{"samples", occlusion.samples},      {"blocked", occlusion.blocked},
-            {"factor", occlusion.factor},        {"factors", to_json(occlusion.factors)},
-            {"light", to_json(occlusion.light)}, {"part", to_json(occlusion.part)},
-            {"direct", scene.occlusion->direct}, {"color", to_json(scene.occlusion->color)},
-            {"occluders", std::move(occluders)}};
+    Json json;
+    add_terms(json, k_occlusion_terms, occlusion, {scene});
+    json["direct"] = scene.occlusion->direct;
+    json["color"] = to_json(scene.occlusion->color);
+    json["occluders"] = std::move(occluders);
+    return json;
 }
 
 Json hit_json(const Scene& scene, const ExplainedHit& hit) {
@@ -173,31 +165,15 @@ Json hit_json(const Scene& scene, const ExplainedHit& hit) {
     for (const LightTerms& terms : hit.lights) lights.push_back(terms_json(scene, hit, terms));
     Json json = {{"shape", hit_shape_json(scene, hit)},
                  {"material", material_json(scene, hit)},
-                 {"point", to_json(hit.point)},
-                 {"normal", to_json(hit.normal)},
-                 {"to_eye", to_json(hit.to_eye)},
-                 {"side", hit.behind ? "back" : "front"},
-                 {"normal_turned", hit.turned},
-                 {"weight", to_json(hit.weight)},
-                 {"local_share", hit.local_share},
-                 {"ambient", to_json(hit.ambient)},
-                 {"lights", std::move(lights)},
-                 {"diffuse", to_json(hit.diffuse)},
-                 {"specular", to_json(hit.specular)},
-                 {"emission", to_json(hit.emission)},
-                 {"parts",
-                  {{"ambient", to_json(hit.parts[0])},
-                   {"diffuse", to_json(hit.parts[1])},
-                   {"specular", to_json(hit.parts[2])},
-                   {"emission", to_json(hit.parts[3])}}},
-                 {"fresnel", hit.fresnel},
-                 {"reflected", secondary_ray_json(hit.reflected)},
-                 {"transmitted", secondary_ray_json(hit.transmitted)}};
-    if (hit.transparent) {
-        json["opacity"] = hit.opacity;
-        json["highlight_share"] = hit.highlight_share;
-    }
-    if (hit.outline != 1) json["outline"] = hit.outline;
+                 {"side", hit.behind ? "back" : "front"}};
+    add_terms(json, k_hit_terms, hit, {scene});
+    json["lights"] = std::move(lights);
+    json["parts"] = {{"ambient", to_json(hit.parts[0])},
+                     {"diffuse", to_json(hit.parts[1])},
+                     {"specular", to_json(hit.parts[2])},
+                     {"emission", to_json(hit.parts[3])}};
+    json["reflected"] = secondary_ray_json(hit.reflected);
+    json["transmitted"] = secondary_ray_json(hit.transmitted);
     if (hit.occlusion) json["occlusion"] = occlusion_json(scene, *hit.occlusion);
     return json;
 }
@@ -208,25 +184,12 @@ Json ray_json(const Explanation& e, const Scene& scene, std::size_t number) {
                           : ray.transmitted ? "transmitted"
                                             : "mirror"},
                  {"sample", {ray.sample % e.samples, ray.sample / e.samples}},
-                 {"generation", ray.generation},
                  {"parent", ray.parent < 0 ? Json() : Json(ray.parent)}};
     const auto layer = layer_of(e, number);
     json["layer"] = layer ? Json(layer_infos()[static_cast<std::size_t>(*layer)].name) : Json();
-    json["origin"] = to_json(ray.origin);
-    json["direction"] = to_json(ray.direction);
-    json["t_min"] = ray.t_min;
-    json["t"] = finite(ray.t);
-    json["weight"] = to_json(ray.weight);
-    if (ray.straight) json["straight"] = true;
-    if (ray.beyond_limit) json["beyond_limit"] = true;
+    add_terms(json, k_ray_terms, ray, {scene});
     if (scene.fog) json["fog"] = {{"visibility", ray.visibility}, {"added", to_json(ray.fog)}};
-    if (ray.inside_object) json["inside_object"] = true;
-    if (ray.hit) {
-        json["hit"] = hit_json(scene, *ray.hit);
-    } else {
-        json["background"] = to_json(ray.background);
-        json["transparent"] = ray.transparent;
-    }
+    if (ray.hit) json["hit"] = hit_json(scene, *ray.hit);
     return json;
 }
 

@@ -217,39 +217,19 @@ export interface ShadowFilter {
     factor: Vec3;
 }
 
-export interface LightTerms {
+export interface LightTerms extends LightTermValues {
     light: NamedItem & {kind: LightKind; has_position: boolean; color: Vec3; specular_color: Vec3};
     /** Why it adds something, or nothing. */
     reason: 'adds' | 'blocked' | 'behind' | 'no_color' | 'faded' | 'in_surface' | 'outside_cone' | 'faint' | 'back_of_light';
-    highlight: 'adds' | 'none' | 'behind' | 'turned_away';
-    to_light: Vec3;
-    distance: number;
-    attenuation: number;
-    /** Of a spot: the factor of its light in this direction. */
-    spot: number;
-    /** Of a one-sided area light: the cosine off its normal. */
-    emitter: number;
-    /** Of an area light that shines from its centre: the visible part; with colored shadows, the mean of `filter`. */
-    visible: number;
-    /** Of an area light each of whose samples is a light: row * samples_u + column. */
-    sample?: number;
-    /** N·L, and R·V (Phong) or N·H (Blinn-Phong); null if undefined. */
-    n_l: number | null;
-    s: number | null;
-    power: number;
-    diffuse_factor: number | null;
-    phong_s?: number;
-    phong_power?: number;
-    highlight_tint?: Vec3;
-    diffuse: Vec3;
-    specular: Vec3;
-    /** The factor of the light that passes transparent surfaces on its way, and these surfaces from the point on. */
-    filter?: Vec3;
+    highlight: 'adds' | 'none' | 'unshaded' | 'behind' | 'turned_away';
+    /** Of an area light each of whose samples is a light: the factor of the light's color. */
+    weight?: number;
+    /** The transparent surfaces on the way of the light, from the point on. */
     filters?: ShadowFilter[];
     shadow_ray?: ShadowRay;
     blocker?: Blocker;
     /** Of an area light that shines from its centre: the samples to which shadow rays were traced. */
-    samples?: {sample: number; position: Vec3; blocked: boolean; shadow_ray: ShadowRay; blocker?: Blocker; filter?: Vec3; filters?: ShadowFilter[]}[];
+    samples?: (ShadowSampleTerms & {shadow_ray: ShadowRay; blocker?: Blocker; filters?: ShadowFilter[]})[];
 }
 
 export interface ExplainedSecondaryRay {
@@ -259,88 +239,210 @@ export interface ExplainedSecondaryRay {
     ray?: number;
 }
 
-export interface ExplainedHit {
+export interface ExplainedHit extends HitTerms {
     /** color: the shape's own, in place of the material's. */
     shape: NamedItem & {kind: string; color?: Vec3};
-    material: NamedItem & {
-        color: Vec3;
-        ambient: Vec3;
-        diffuse: Vec3;
-        specular: Vec3;
-        shininess: number;
-        mirror: number;
-        mirror_tint: Vec3;
-        transmission: number;
-        transmission_tint: Vec3;
-        casts_shadow: boolean;
-        ior: number;
-        emission: Vec3;
-        brilliance: number;
-        metallic: number;
-        phong: Vec3;
-        phong_shininess: number;
-        tinted_highlight: boolean;
-        mirror_falloff: number;
-        mirror_min: number;
-        mirror_metallic: number;
-        filter: number;
-        transmit: number;
-        outline: number;
-        outline_width: number;
-        hollow: boolean;
-        interior: number;
-    };
-    point: Vec3;
-    normal: Vec3;
-    to_eye: Vec3;
+    material: NamedItem & MaterialValues;
     side: 'front' | 'back';
-    normal_turned: boolean;
-    weight: Vec3;
-    mirror: number;
-    local_share: number;
-    ambient: Vec3;
     lights: LightTerms[];
-    diffuse: Vec3;
-    specular: Vec3;
-    emission: Vec3;
     /** Ambient, diffuse, specular and emission times weight and share: the contribution to the pixel. */
     parts: {ambient: Vec3; diffuse: Vec3; specular: Vec3; emission: Vec3};
-    /** Of a transparent surface (filter, transmit). */
-    opacity?: number;
-    highlight_share?: number;
-    /** Of a surface with an outline: the factor of its diffuse light, and of the light from all directions. */
-    outline?: number;
-    fresnel: number;
     reflected: ExplainedSecondaryRay;
     transmitted: ExplainedSecondaryRay;
-    /** If the scene has occlusion: the light from all directions; part: the contribution to the pixel. */
-    occlusion?: {samples: number; blocked: number; factor: number; factors: Vec3; light: Vec3; part: Vec3; color: Vec3; direct: number; occluders: {shape: NamedItem; samples: number; weight: number}[]};
+    /** If the scene has occlusion: the light from all directions. */
+    occlusion?: OcclusionTerms & {color: Vec3; direct: number; occluders: {shape: NamedItem; samples: number; weight: number}[]};
 }
 
-export interface ExplainedRay {
+export interface ExplainedRay extends RayTerms {
     kind: 'camera' | 'mirror' | 'transmitted';
+    /** Column and row of the sample. */
     sample: [number, number];
-    generation: number;
     parent: number | null;
     layer: string | null;
-    origin: Vec3;
-    direction: Vec3;
-    t_min: number;
-    t: number | null;
-    weight: Vec3;
     /** If the scene has fog: the part of the light that is seen through it, and the light that it adds. */
     fog?: {visibility: number; added: Vec3};
-    /** It goes straight through a transparent surface. */
-    straight?: boolean;
-    /** It starts at the limit of reflections, and sees the background. */
-    beyond_limit?: boolean;
-    /** There is no fog, because the ray is inside an object (`fog_extent = outside_objects`). */
-    inside_object?: boolean;
     hit?: ExplainedHit;
+}
+
+// Generated by tools/write_terms.cpp.
+export interface MaterialValues {
+    /** the surface's color */
+    color: Vec3;
+    /** k_a itself */
+    ambient: Vec3;
+    /** k_d itself */
+    diffuse: Vec3;
+    /** k_s itself: white gives white highlights on colored plastic */
+    specular: Vec3;
+    /** the exponent n of the highlight */
+    shininess: number;
+    /** a, the part of the light that is reflected */
+    mirror: number;
+    /** the tint of what the mirror shows */
+    mirror_tint: Vec3;
+    /** the part of the light that is transmitted */
+    transmission: number;
+    /** the tint of what is transmitted */
+    transmission_tint: Vec3;
+    /** the index of refraction */
+    ior: number;
+    /** false: the surface blocks no light */
+    casts_shadow: boolean;
+    /** k_e itself: light that the surface emits; it lights no other surface */
+    emission: Vec3;
+    /** the diffuse term is k_d (N.L)^brilliance */
+    brilliance: number;
+    /** how far highlights have the surface's color, except at grazing light */
+    metallic: number;
+    /** k_p: a second highlight, k_p (R.V)^phong_shininess, whatever the shading */
+    phong: Vec3;
+    /** the exponent of the second highlight */
+    phong_shininess: number;
+    /** false: highlights do not have the light's color */
+    tinted_highlight: boolean;
+    /** if > 0, the mirror is mirror_min + (mirror - mirror_min) (1 - cos)^mirror_falloff */
+    mirror_falloff: number;
+    /** the mirror for rays along the normal, if mirror_falloff > 0 */
+    mirror_min: number;
+    /** how far the mirror tints what it shows with the surface's color, except at grazing rays */
+    mirror_metallic: number;
+    /** transparency without refraction: the part of the light from behind that the color tints */
+    filter: number;
+    /** the part that is not tinted */
+    transmit: number;
+    /** how dark diffuse light is where the surface turns away from the ray */
+    outline: number;
+    /** from 0, a thin outline, to 1, the whole surface */
+    outline_width: number;
+    /** fog_extent = outside_objects: rays inside are in the fog */
+    hollow: boolean;
+    /** above 0: the shapes of materials with the same number are one object for fog_extent */
+    interior: number;
+}
+
+export interface RayTerms {
+    /** 0 for camera rays */
+    generation: number;
+    /** in the world */
+    origin: Vec3;
+    /** not normalised: t is measured in units of its length */
+    direction: Vec3;
+    /** the ray begins here */
+    t_min: number;
+    /** of the hit; null: no hit */
+    t: number | null;
+    /** the factor by which its light counts in the pixel */
+    weight: Vec3;
+    /** true: it goes straight through a transparent surface, along the line of its parent, from t_min on */
+    straight?: boolean;
+    /** true: it starts at the limit of reflections, and sees the background */
+    beyond_limit?: boolean;
+    /** true: there is no fog, because the ray is inside an object (fog_extent = outside_objects) */
+    inside_object?: boolean;
+    /** what a ray without a hit adds */
     background?: Vec3;
-    /** Of a ray that hits nothing: it shows the background directly or through glass, which makes the pixel transparent. */
+    /** the ray shows the background directly or through glass: the mean of its weight is subtracted from alpha */
     transparent?: boolean;
 }
+
+export interface HitTerms {
+    /** P */
+    point: Vec3;
+    /** N as used for the lighting, a unit vector */
+    normal: Vec3;
+    /** V */
+    to_eye: Vec3;
+    /** whether N was flipped towards the ray */
+    normal_turned: boolean;
+    /** the ray's weight, reduced by what glass and fog absorbed */
+    weight: Vec3;
+    /** the part of the light that the mirror reflects towards the ray */
+    mirror: number;
+    /** the share of the surface's own light; mirror and glass have the rest */
+    local_share: number;
+    /** k_a I_a; for shadings without lights, the color shown */
+    ambient: Vec3;
+    /** the sum over the lights */
+    diffuse: Vec3;
+    /** the sum over the lights */
+    specular: Vec3;
+    /** k_e */
+    emission: Vec3;
+    /** the share that glass reflects; 1: total internal reflection */
+    fresnel: number;
+    /** of a transparent surface (filter, transmit) */
+    opacity?: number;
+    /** of a transparent surface: the share of its highlights, as local_share of the rest */
+    highlight_share?: number;
+    /** of a surface with an outline: the factor of its diffuse light and of the light from all directions */
+    outline?: number;
+}
+
+export interface LightTermValues {
+    /** not a unit vector */
+    to_light: Vec3;
+    /** the length of to_light */
+    distance: number;
+    /** f_att */
+    attenuation: number;
+    /** of a spot: the factor of its light in this direction; else 1 */
+    spot: number;
+    /** of a one-sided area light: the cosine off its normal, 0 behind it; else 1 */
+    emitter: number;
+    /** of an area light that shines from its centre: the visible part, with colored shadows the mean over the channels of filter; else 1 */
+    visible: number;
+    /** of an area light each of whose samples is a light: row * samples_u + column */
+    sample?: number;
+    /** N·L */
+    n_l: number | null;
+    /** R·V (Phong), N·H (Blinn-Phong) */
+    s: number | null;
+    /** S^n where there is a highlight, blocked or not */
+    power: number;
+    /** of k_d I: N·L, to the power of the brilliance */
+    diffuse_factor: number | null;
+    /** R·V of a second highlight */
+    phong_s?: number;
+    /** of a second highlight, as power */
+    phong_power?: number;
+    /** of a metal's highlights; included in specular */
+    highlight_tint?: Vec3;
+    /** what it adds, before the hit's weight */
+    diffuse: Vec3;
+    /** likewise */
+    specular: Vec3;
+    /** the factor of the light that passes the transparent surfaces on its way; of an area light that shines from its centre, the mean of its samples; included in diffuse and specular */
+    filter?: Vec3;
+}
+
+export interface ShadowSampleTerms {
+    /** row * samples_u + column */
+    sample: number;
+    /** its factor in visible, which is the sum over the visible samples (with colored shadows, of weight times filter) */
+    weight: number;
+    /** on the light */
+    position: Vec3;
+    /** whether a shape blocks it */
+    blocked: boolean;
+    /** as of the light */
+    filter?: Vec3;
+}
+
+export interface OcclusionTerms {
+    /** their number */
+    samples: number;
+    /** how many of the samples are blocked */
+    blocked: number;
+    /** f, the part of the light that arrives; if transparent surfaces color it, the mean over the channels */
+    factor: number;
+    /** f by channel */
+    factors: Vec3;
+    /** k_d color f */
+    light: Vec3;
+    /** multiplied by weight and local_share: what is added to the pixel */
+    part: Vec3;
+}
+// End of what is generated.
 
 export type LightLayer = 'background' | 'ambient' | 'diffuse' | 'specular' | 'reflection' | 'transmission' | 'emission' | 'sky' | 'fog';
 

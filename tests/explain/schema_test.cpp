@@ -28,9 +28,12 @@ class Schema {
         return type == value.type_name();
     }
 
+    const json& part_of(const json& reference) const {
+        return root_.at(json::json_pointer(reference["$ref"].get<std::string>().substr(1)));
+    }
+
     std::string fault(const json& value, const json& rule, const std::string& at) const {
-        if (rule.contains("$ref"))
-            return fault(value, root_.at(json::json_pointer(rule["$ref"].get<std::string>().substr(1))), at);
+        if (rule.contains("$ref")) return fault(value, part_of(rule), at);
         if (rule.contains("type")) {
             const json types = rule["type"].is_array() ? rule["type"] : json::array({rule["type"]});
             bool fits = false;
@@ -52,12 +55,19 @@ class Schema {
             }
         }
         if (!value.is_object()) return {};
-        const json properties = rule.value("properties", json::object());
+        json properties = rule.value("properties", json::object());
+        for (const json& part : rule.value("allOf", json::array())) {
+            const json& common = part_of(part);
+            const std::string wrong = fault(value, common, at);
+            if (!wrong.empty()) return wrong;
+            properties.update(common["properties"]);
+        }
         for (const auto& [name, member] : value.items()) {
             if (properties.contains(name)) {
                 const std::string wrong = fault(member, properties[name], at + "." + name);
                 if (!wrong.empty()) return wrong;
-            } else if (rule.value("additionalProperties", json(true)) == json(false)) {
+            } else if (rule.value("additionalProperties", json(true)) == json(false) ||
+                       rule.value("unevaluatedProperties", json(true)) == json(false)) {
                 return at + " has '" + name + "', which the schema does not know";
             }
         }

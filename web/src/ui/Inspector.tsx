@@ -12,6 +12,7 @@ import {Plots} from './Plots';
 import {sentence} from './sentence';
 import {SpaceInPanel} from './Space';
 import {Stepper} from './Stepper';
+import {hitTerms, lightTerms} from './terms';
 import {css, hex, highlights, isBlack, itemName, layerNames, lightName, rayNames, reasons, short, shortColor, shortVector} from './words';
 
 /** How the sum becomes the bytes. */
@@ -86,9 +87,8 @@ function Light({terms, hit, ray, index}: {terms: LightTerms; hit: ExplainedHit; 
             <Term name="the light" place={light} formula={light.kind} value={shortColor(light.color)} />
             <Term name="L" place={light} formula={light.has_position ? 'P to the light' : 'towards the light'} value={shortVector(terms.to_light)} />
             {light.has_position && <Term name="distance" place={light} value={short(terms.distance)} />}
-            {terms.attenuation !== 1 && <Term name="f_att" place={light} value={short(terms.attenuation)} />}
+            {lightTerms.map(({name, label, usual}) => terms[name] !== usual && <Term key={name} name={label} place={light} value={short(terms[name] as number)} />)}
             {terms.spot !== 1 && <Term name="spot" place={light} value={short(terms.spot)} />}
-            {terms.emitter !== 1 && <Term name="emitter’s cosine" place={light} value={short(terms.emitter)} />}
             {terms.filters?.slice(0, 12).map(({shape, distance, factor}, i) => <Term key={i} name="passes" place={shape} formula={`${itemName(shape)}, ${short(distance)} away: times`} value={shortColor(factor)} />)}
             {terms.filter && !terms.filters && <Term name="filter" place={light} formula="transparent surfaces color the light: times" value={shortColor(terms.filter)} />}
             {terms.samples && <Term name="visible" place={light} formula={`${terms.samples.filter((s) => !s.blocked).length} of ${terms.samples.length} samples`} value={short(terms.visible)} />}
@@ -182,6 +182,7 @@ function Ray({explanation, number, depth}: {explanation: Explanation; number: nu
                     {hit.opacity !== undefined && <Term name="opacity" place={hit.material} formula="the rest is what is behind" value={short(hit.opacity)} />}
                     {hit.outline !== undefined && <Term name="outline" place={hit.material} formula="times the diffuse light" value={short(hit.outline)} />}
                     {hit.local_share !== 1 && <Term name="own share" place={hit.material} formula={hit.opacity === undefined ? '1 − mirror − glass' : 'of its own light'} value={short(hit.local_share)} />}
+                    {hitTerms.map(({name, label, usual}) => hit[name] !== usual && <Term key={name} name={label} place={hit.material} value={short(hit[name] as number)} />)}
                     <Term name="ambient" place={hit.material} formula="k_a I_a" value={shortColor(hit.ambient)} />
                     {byLight(hit.lights).map((members) => (members.length === 1
                         ? <Light key={members[0]} terms={hit.lights[members[0]!]!} hit={hit} ray={number} index={members[0]!} />

@@ -51,6 +51,7 @@ export const reasons: Record<LightTerms['reason'], string> = {
 export const highlights: Record<LightTerms['highlight'], string> = {
     adds: '',
     none: 'the surface has no highlight',
+    unshaded: 'this shading has no highlights',
     behind: 'no highlight: N·L ≤ 0',
     turned_away: 'no highlight: the reflected light points away from the eye (S ≤ 0)',
 };

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The table of the terms of an explanation: the numbers, vectors, colors and flags that rays, hits, lights
+// and samples have. JSON, its schema, the types of the npm package, the table of docs/explain.md, and the
+// terms that the command and the page list without words of their own come from it (tools/write_terms.cpp).
+#include <cstdint>
+#include <iterator>
+#include <optional>
+#include <string_view>
+#include <variant>
+
+#include "glint/explain.h"
+
+namespace glint {
+
+/// What decides whether a term is given, besides the values that it is a part of.
+struct TermContext {
+    const Scene& scene;
+    const ExplainedHit* hit = nullptr;  // of a light's terms
+};
+
+/// A term of an Of.
+template <class Of> struct ExplainedTerm {
+    std::string_view name;  // in JSON
+    std::variant<double Of::*, int Of::*, bool Of::*, Vec3 Of::*, Color Of::*> member;
+    std::string_view description;
+    bool (*is_given)(const Of&, const TermContext&) = nullptr;  // null: always
+    bool may_be_infinite = false;                               // infinity is null in JSON
+    /// If set, texts list the number under this label, unless it is `usual`.
+    std::string_view label = {};
+    double usual = 1;
+};
+
+/// Whether transparent surfaces color the light.
+inline bool is_filtered(const LightTerms& terms) {
+    if (!terms.filters.empty()) return true;
+    for (const ShadowSample& sample : terms.samples)
+        if (!sample.filters.empty()) return true;
+    return false;
+}
+
+namespace terms {
+inline bool has_second_highlight(const LightTerms&, const TermContext& of) {
+    return !(material_of(*of.hit, of.scene).phong == Color{});
+}
+inline bool is_metallic(const LightTerms&, const TermContext& of) {
+    return material_of(*of.hit, of.scene).metallic > 0;
+}
+inline bool has_filter(const LightTerms& terms, const TermContext&) { return is_filtered(terms); }
+inline bool has_filters(const ShadowSample& sample, const TermContext&) { return !sample.filters.empty(); }
+inline bool is_of_sample(const LightTerms& terms, const TermContext&) { return terms.sample >= 0; }
+inline bool is_transparent(const ExplainedHit& hit, const TermContext&) { return hit.transparent; }
+inline bool has_outline(const ExplainedHit& hit, const TermContext&) { return hit.outline != 1; }
+template <bool ExplainedRay::*Flag> bool is_set(const ExplainedRay& ray, const TermContext&) {
+    return ray.*Flag;
+}
+inline bool hits_nothing(const ExplainedRay& ray, const TermContext&) { return !ray.hit; }
+}  // namespace terms
+
+inline constexpr ExplainedTerm<LightTerms> k_light_terms[] = {
+    {"to_light", &LightTerms::to_light, "not a unit vector"},
+    {"distance", &LightTerms::distance, "the length of to_light"},
+    {.name = "attenuation",
+     .member = &LightTerms::attenuation,
+     .description = "f_att",
+     .label = "attenuation"},
+    {"spot", &LightTerms::spot, "of a spot: the factor of its light in this direction; else 1"},
+    {.name = "emitter",
+     .member = &LightTerms::emitter,
+     .description = "of a one-sided area light: the cosine off its normal, 0 behind it; else 1",
+     .label = "emitter's cosine"},
+    {"visible", &LightTerms::visible,
+     "of an area light that shines from its centre: the visible part, with colored shadows the mean over the "
+     "channels of filter; else 1"},
+    {"sample", &LightTerms::sample,
+     "of an area light each of whose samples is a light: row * samples_u + column", terms::is_of_sample},
+    {"n_l", &LightTerms::n_l, "N·L", nullptr, true},
+    {"s", &LightTerms::s, "R·V (Phong), N·H (Blinn-Phong)", nullptr, true},
+    {"power", &LightTerms::power, "S^n where there is a highlight, blocked or not"},
+    {"diffuse_factor", &LightTerms::diffuse_factor, "of k_d I: N·L, to the power of the brilliance", nullptr,
+     true},
+    {"phong_s", &LightTerms::phong_s, "R·V of a second highlight", terms::has_second_highlight},
+    {"phong_power", &LightTerms::phong_power, "of a second highlight, as power", terms::has_second_highlight},
+    {"highlight_tint", &LightTerms::highlight_tint, "of a metal's highlights; included in specular",
+     terms::is_metallic},
+    {"diffuse", &LightTerms::diffuse, "what it adds, before the hit's weight"},
+    {"specular", &LightTerms::specular, "likewise"},
+    {"filter", &LightTerms::filter,
+     "the factor of the light that passes the transparent surfaces on its way; of an area light that shines "
+     "from its centre, the mean of its samples; included in diffuse and specular",
+     terms::has_filter},
+};
+
+inline constexpr ExplainedTerm<ShadowSample> k_shadow_sample_terms[] = {
+    {"sample", &ShadowSample::sample, "row * samples_u + column"},
+    {"weight", &ShadowSample::weight,
+     "its factor in visible, which is the sum over the visible samples (with colored shadows, of weight "
+     "times filter)"},
+    {"position", &ShadowSample::position, "on the light"},
+    {"blocked", &ShadowSample::blocked, "whether a shape blocks it"},
+    {"filter", &ShadowSample::filter, "as of the light", terms::has_filters},
+};
+
+inline constexpr ExplainedTerm<ExplainedOcclusion> k_occlusion_terms[] = {
+    {"samples", &ExplainedOcclusion::samples, "their number"},
+    {"blocked", &ExplainedOcclusion::blocked, "how many of the samples are blocked"},
+    {"factor", &ExplainedOcclusion::factor,
+     "f, the part of the light that arrives; if transparent surfaces color it, the mean over the channels"},
+    {"factors", &ExplainedOcclusion::factors, "f by channel"},
+    {"light", &ExplainedOcclusion::light, "k_d color f"},
+    {"part", &ExplainedOcclusion::part, "multiplied by weight and local_share: what is added to the pixel"},
+};
+
+inline constexpr ExplainedTerm<ExplainedHit> k_hit_terms[] = {
+    {"point", &ExplainedHit::point, "P"},
+    {"normal", &ExplainedHit::normal, "N as used for the lighting, a unit vector"},
+    {"to_eye", &ExplainedHit::to_eye, "V"},
+    {"normal_turned", &ExplainedHit::turned, "whether N was flipped towards the ray"},
+    {"weight", &ExplainedHit::weight, "the ray's weight, reduced by what glass and fog absorbed"},
+    {"mirror", &ExplainedHit::mirror, "the part of the light that the mirror reflects towards the ray"},
+    {"local_share", &ExplainedHit::local_share,
+     "the share of the surface's own light; mirror and glass have the rest"},
+    {"ambient", &ExplainedHit::ambient, "k_a I_a; for shadings without lights, the color shown"},
+    {"diffuse", &ExplainedHit::diffuse, "the sum over the lights"},
+    {"specular", &ExplainedHit::specular, "the sum over the lights"},
+    {"emission", &ExplainedHit::emission, "k_e"},
+    {"fresnel", &ExplainedHit::fresnel, "the share that glass reflects; 1: total internal reflection"},
+    {"opacity", &ExplainedHit::opacity, "of a transparent surface (filter, transmit)", terms::is_transparent},
+    {"highlight_share", &ExplainedHit::highlight_share,
+     "of a transparent surface: the share of its highlights, as local_share of the rest",
+     terms::is_transparent},
+    {"outline", &ExplainedHit::outline,
+     "of a surface with an outline: the factor of its diffuse light and of the light from all directions",
+     terms::has_outline},
+};
+
+inline constexpr ExplainedTerm<ExplainedRay> k_ray_terms[] = {
+    {"generation", &ExplainedRay::generation, "0 for camera rays"},
+    {"origin", &ExplainedRay::origin, "in the world"},
+    {"direction", &ExplainedRay::direction, "not normalised: t is measured in units of its length"},
+    {"t_min", &ExplainedRay::t_min, "the ray begins here"},
+    {"t", &ExplainedRay::t, "of the hit; null: no hit", nullptr, true},
+    {"weight", &ExplainedRay::weight, "the factor by which its light counts in the pixel"},
+    {"straight", &ExplainedRay::straight,
+     "true: it goes straight through a transparent surface, along the line of its parent, from t_min on",
+     terms::is_set<&ExplainedRay::straight>},
+    {"beyond_limit", &ExplainedRay::beyond_limit,
+     "true: it starts at the limit of reflections, and sees the background",
+     terms::is_set<&ExplainedRay::beyond_limit>},
+    {"inside_object", &ExplainedRay::inside_object,
+     "true: there is no fog, because the ray is inside an object (fog_extent = outside_objects)",
+     terms::is_set<&ExplainedRay::inside_object>},
+    {"background", &ExplainedRay::background, "what a ray without a hit adds", terms::hits_nothing},
+    {"transparent", &ExplainedRay::transparent,
+     "the ray shows the background directly or through glass: the mean of its weight is subtracted from "
+     "alpha",
+     terms::hits_nothing},
+};
+
+/// Calls visit(label, number) for the terms that have a label, where they are not the usual ones.
+template <class Of, std::size_t n, class Visit>
+void for_listed_terms(const ExplainedTerm<Of> (&table)[n], const Of& of, const Visit& visit) {
+    for (const ExplainedTerm<Of>& term : table) {
+        if (term.label.empty()) continue;
+        const double value = of.*std::get<double Of::*>(term.member);
+        if (value != term.usual) visit(term.label, value);
+    }
+}
+
+}  // namespace glint
