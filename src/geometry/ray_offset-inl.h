@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The origin of a ray that starts at a surface, by the scene's convention. All epsilons are here.
+// Rays that start at a surface: their origins and least t, by the scene's convention. All epsilons are here.
 #if defined(GLINT_GEOMETRY_RAY_OFFSET_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_GEOMETRY_RAY_OFFSET_INL_H_
 #undef GLINT_GEOMETRY_RAY_OFFSET_INL_H_
@@ -22,7 +22,7 @@ template <class T> struct SurfacePoint {
                   // coordinates
 };
 
-/// The origin of a ray from the surface in direction `outgoing` (any length); see enum Offset.
+/// The origin of spawn_ray(); see enum Offset.
 template <class T>
 HWY_INLINE Vector3<T> offset_ray_origin(const SurfacePoint<T>& s, Vector3<T> outgoing, Offset offset,
                                         double epsilon) {
@@ -43,19 +43,32 @@ HWY_INLINE Vector3<T> offset_ray_origin(const SurfacePoint<T>& s, Vector3<T> out
     return s.point + s.normal * select(dot(s.normal, outgoing) < T(0), -reach, reach);
 }
 
-/// The origin of a ray through the surface: on the far side, with the same offset.
+/// A ray that starts at a surface: t from t_min on.
+template <class T> struct SpawnedRay {
+    Vector3<T> origin, direction;
+    double t_min;
+};
+
+/// The ray from the surface in direction `outgoing` (any length): to a light, or reflected.
 template <class T>
-HWY_INLINE Vector3<T> offset_transmitted_origin(const SurfacePoint<T>& s, Vector3<T> outgoing, Offset offset,
-                                                double epsilon) {
-    if (offset != Offset::normal && offset != Offset::facing)
-        return offset_ray_origin(s, outgoing, offset, epsilon);
-    const T e = T(epsilon);
-    return s.point + s.normal * select(dot(s.normal, outgoing) < T(0), -e, e);
+HWY_INLINE SpawnedRay<T> spawn_ray(const SurfacePoint<T>& s, Vector3<T> outgoing, Offset offset,
+                                   double epsilon) {
+    return {offset_ray_origin(s, outgoing, offset, epsilon), outgoing, offset == Offset::ray ? epsilon : 0.0};
+}
+template <class T>
+HWY_INLINE SpawnedRay<T> spawn_ray(const SurfacePoint<T>& s, Vector3<T> outgoing, const Conventions& rules) {
+    return spawn_ray(s, outgoing, rules.offset, rules.epsilon);
 }
 
-/// The minimum t of a ray that starts at a surface.
-HWY_INLINE double offset_t_min(Offset offset, double epsilon) {
-    return offset == Offset::ray ? epsilon : 0.0;
+/// The ray through the surface: its origin is on the far side, with the same offset.
+template <class T>
+HWY_INLINE SpawnedRay<T> spawn_transmitted_ray(const SurfacePoint<T>& s, Vector3<T> outgoing,
+                                               const Conventions& rules) {
+    SpawnedRay<T> ray = spawn_ray(s, outgoing, rules);
+    if (rules.offset != Offset::normal && rules.offset != Offset::facing) return ray;
+    const T e = T(rules.epsilon);
+    ray.origin = s.point + s.normal * select(dot(s.normal, outgoing) < T(0), -e, e);
+    return ray;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -16,7 +16,7 @@ TEST(RayOffset, EachConventionByItsDefinition) {
     const Point s{{1, 2, 3}, {0, 1, 0}, {3, -4, 0}, 10};
     const plain::Vector3<double> out{0, 3, 4}, in{0, -3, 4};
     const auto at = [&](const Point& p, plain::Vector3<double> d, Offset offset, double e) {
-        return to_vec(plain::offset_ray_origin(p, d, offset, e));
+        return to_vec(plain::spawn_ray(p, d, offset, e).origin);
     };
     EXPECT_EQ(at(s, out, Offset::ray, 0.5), (Vec3{1, 2, 3}));
     EXPECT_EQ(at(s, out, Offset::normal, 0.5), (Vec3{1, 2.5, 3}));
@@ -28,9 +28,9 @@ TEST(RayOffset, EachConventionByItsDefinition) {
     EXPECT_EQ(at(s, out, Offset::direction, 0.5), (Vec3{1, 2.3, 3.4}));
     EXPECT_EQ(at(s, out, Offset::scale, 0.01), (Vec3{1, 2.1, 3}));
     EXPECT_EQ(at(s, in, Offset::scale, 0.01), (Vec3{1, 1.9, 3}));
-    EXPECT_EQ(plain::offset_t_min(Offset::ray, 0.5), 0.5);
+    EXPECT_EQ(plain::spawn_ray(s, out, Offset::ray, 0.5).t_min, 0.5);
     for (const Offset o : {Offset::normal, Offset::facing, Offset::direction, Offset::scale}) {
-        EXPECT_EQ(plain::offset_t_min(o, 0.5), 0);
+        EXPECT_EQ(plain::spawn_ray(s, out, o, 0.5).t_min, 0);
         EXPECT_EQ(at(s, out, o, 0), (Vec3{1, 2, 3}));
     }
 }
@@ -82,10 +82,8 @@ TYPED_TEST(Reintersect, NeverUnderGlintsConvention) {
         Vec3 out = unit_direction(random);
         if (chance(random, 0.3))
             out = perpendicular(random, n) + n * std::ldexp(random.uniform(-1, 1), -below(random, 50));
-        const Vec3 start =
-            to_vec(plain::offset_ray_origin(surface, triple_of<double>(out), glint.offset, glint.epsilon));
-        const auto next =
-            formula_hit<Geometry, double>(p, start, out, plain::offset_t_min(glint.offset, glint.epsilon));
+        const auto spawned = plain::spawn_ray(surface, triple_of<double>(out), glint);
+        const auto next = formula_hit<Geometry, double>(p, to_vec(spawned.origin), out, spawned.t_min);
         ++left;
         const double reach = glint.epsilon * surface.magnitude;
         const Nearness near = shape_case.nearness(to_long(to_vec(point)));
@@ -101,7 +99,8 @@ TYPED_TEST(Reintersect, NeverUnderGlintsConvention) {
             wrong = next.valid;  // all of them are convex
         } else if (next.valid) {
             // Inside, the other side is a chord away; the same surface must not be hit next to the point.
-            const LongVec there = shape_case.nearness(to_long(start) + to_long(out) * Long(next.t)).outward;
+            const LongVec there =
+                shape_case.nearness(to_long(to_vec(spawned.origin)) + to_long(out) * Long(next.t)).outward;
             wrong = next.t * length(out) < 100 * reach && std::fabs(dot(n, out)) > 1e-2 &&
                     reach < 1e-4 * static_cast<double>(std::min<Long>(near.bend, size)) &&
                     plain::dot(there, outward) > 0.5L;

@@ -51,15 +51,15 @@ HWY_INLINE Vector3<Doubles> hashed_direction(Words ray_hash, SampleGrid grid, in
     return select_vector3(dot(d, d) < Doubles(1e-12), normal, d);
 }
 
-/// The origins of rays from a vector of surfaces. column(c): the vector of that column of SkyBatch::surface.
+/// Rays from a vector of surfaces. column(c): the vector of that column of SkyBatch::surface.
 template <class Column>
-HWY_INLINE Vector3<Doubles> sky_ray_origin(const WorldParts& world, const Column& column,
-                                           const Vector3<Doubles>& direction) {
+HWY_INLINE SpawnedRay<Doubles> sky_ray(const WorldParts& world, const Column& column,
+                                       const Vector3<Doubles>& direction) {
     const SurfacePoint<Doubles> surface{{column(0), column(1), column(2)},
                                         {column(3), column(4), column(5)},
                                         {column(6), column(7), column(8)},
                                         column(9)};
-    return offset_ray_origin(surface, direction, world.conventions.offset, world.conventions.epsilon);
+    return spawn_ray(surface, direction, world.conventions);
 }
 
 /// The block of fixed directions of a generation. In Tachyon, each further surface of a pixel takes the next
@@ -71,9 +71,8 @@ inline const Vec3* fixed_block(const WorldParts& world, int generation, int pixe
 }
 
 /// Sets the limits of all rays.
-inline void set_sky_limits(const WorldParts& world, ShadowRayBatch& rays) {
-    const Conventions& rules = world.conventions;
-    std::fill_n(rays.t_min.begin(), rays.count, offset_t_min(rules.offset, rules.epsilon));
+inline void set_sky_limits(const WorldParts& world, double t_min, ShadowRayBatch& rays) {
+    std::fill_n(rays.t_min.begin(), rays.count, t_min);
     std::fill_n(rays.t_max.begin(), rays.count, world.occlusion->reach);
 }
 
@@ -82,6 +81,7 @@ inline void set_sky_limits(const WorldParts& world, ShadowRayBatch& rays) {
 inline void make_fixed_rays(const WorldParts& world, Vec3 fixed, int begin, int end, SkyBatch& sky,
                             ShadowRayBatch& rays) {
     rays.count = 0;
+    double t_min = 0;  // the same for all rays
     const Vector3<Doubles> ahead = lanes_of(fixed);
     for (int side = 0; side < 2; ++side) {
         const Vector3<Doubles> direction = side == 0 ? ahead : -ahead;
@@ -92,14 +92,16 @@ inline void make_fixed_rays(const WorldParts& world, Vec3 fixed, int begin, int 
             if (!any(set)) continue;
             const int at = rays.count;
             const auto column = [&](std::size_t c) HWY_ATTR { return load(sky.surface[c].data() + i); };
-            compress_vector3(sky_ray_origin(world, column, direction), set, rays.origin, at);
-            store_vector3(direction, rays.direction, at);
+            const SpawnedRay<Doubles> ray = sky_ray(world, column, direction);
+            t_min = ray.t_min;
+            compress_vector3(ray.origin, set, rays.origin, at);
+            store_vector3(ray.direction, rays.direction, at);
             compress_store(Doubles(static_cast<double>(i)) + iota(), set, sky.entry.data() + at);
             compress_store(select(below, -n_d, n_d), set, sky.cosine.data() + at);
             rays.count += count(set);
         }
     }
-    set_sky_limits(world, rays);
+    set_sky_limits(world, t_min, rays);
 }
 
 /// The cell of a vector of directions, 0 to k_sky_cells - 1: a grid over the octahedron that is unfolded to a
@@ -173,6 +175,7 @@ inline void make_hashed_rays(SampleGrid grid, int first, int end, int begin, int
 inline void take_hashed_rays(const WorldParts& world, const SkyGroup& group, int first, int begin,
                              SkyBatch& sky, ShadowRayBatch& rays) {
     rays.count = number::min(k_batch_size, group.count - first);
+    double t_min = 0;  // the same for all rays
     for (int r = 0; r < rays.count; r += lane_count<double>()) {
         const std::uint32_t* const sorted = group.sorted.data() + first + r;
         std::uint32_t entries[lane_count<double>()];
@@ -185,11 +188,13 @@ inline void take_hashed_rays(const WorldParts& world, const SkyGroup& group, int
                                          gather(group.direction[1].data(), from_group),
                                          gather(group.direction[2].data(), from_group)};
         const auto column = [&](std::size_t c) HWY_ATTR { return gather(sky.surface[c].data(), from_sky); };
-        store_vector3(sky_ray_origin(world, column, direction), rays.origin, r);
-        store_vector3(direction, rays.direction, r);
+        const SpawnedRay<Doubles> ray = sky_ray(world, column, direction);
+        t_min = ray.t_min;
+        store_vector3(ray.origin, rays.origin, r);
+        store_vector3(ray.direction, rays.direction, r);
     }
     std::fill_n(sky.cosine.begin(), rays.count, 1.0);
-    set_sky_limits(world, rays);
+    set_sky_limits(world, t_min, rays);
 }
 
 }  // namespace HWY_NAMESPACE

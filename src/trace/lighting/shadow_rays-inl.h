@@ -30,16 +30,15 @@ template <class T> struct ShadowRay {
 template <class T>
 HWY_INLINE ShadowRay<T> endless_shadow_ray(const SurfacePoint<T>& s, Vector3<T> to_light,
                                            const Conventions& rules) {
-    return {offset_ray_origin(s, to_light, rules.offset, rules.epsilon), to_light,
-            T(offset_t_min(rules.offset, rules.epsilon)), k_infinity};
+    const SpawnedRay<T> ray = spawn_ray(s, to_light, rules);
+    return {ray.origin, ray.direction, T(ray.t_min), k_infinity};
 }
 /// The ray of a light at the point `from`. to_light: the vector there.
 template <class T>
 HWY_INLINE ShadowRay<T> shadow_ray_from(const SurfacePoint<T>& s, Vector3<T> from, Vector3<T> to_light,
                                         const Conventions& rules) {
     if (!rules.shadow_stops_at_light) return endless_shadow_ray(s, to_light, rules);
-    const Vector3<T> start = offset_ray_origin(s, to_light, rules.offset, rules.epsilon),
-                     direction = start - from;
+    const Vector3<T> direction = spawn_ray(s, to_light, rules).origin - from;
     // The source compares the distance of an occluder from the moved origin with the distance of the light
     // from P, so that occluders up to epsilon behind the light count.
     const T t_min = rules.offset == Offset::direction ? T(-rules.epsilon) / length(direction) : T(0);

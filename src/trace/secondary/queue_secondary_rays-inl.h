@@ -146,14 +146,18 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
         const auto set = of && most > zero && most >= Doubles(rules.min_weight);
         return limited ? limit_rays(surfaces.target.data() + h, set, secondary, counts) : set;
     };
-    Doubles t_min(offset_t_min(rules.offset, rules.epsilon));
-    if (!plain) t_min = select(at_limit, Doubles(k_blind_t_min), t_min);
     SecondaryRays rays{surface.point, surface.incoming,
                        b.reflected,   load(surfaces.target.data() + h),
                        zero,          zero,
-                       zero,          t_min,
+                       zero,          zero,
                        zero,          zero,
                        zero,          zero};
+    const auto start = [&](const SpawnedRay<Doubles>& ray) HWY_ATTR {
+        rays.origin = ray.origin;
+        rays.direction = ray.direction;
+        rays.t_min = Doubles(ray.t_min);
+        if (!plain) rays.t_min = select(at_limit, Doubles(k_blind_t_min), rays.t_min);
+    };
     if (transparent) {
         rays.level = load(surfaces.level.data() + h) + Doubles(1);
         rays.passed = load(surfaces.passed.data() + h);
@@ -164,10 +168,9 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
 
     const auto reflected = kept(b.reflected, may_start);
     if (any(reflected)) {
-        SecondaryRay<Doubles> ray = mirrored_ray(surface, glass, rules);
+        SpawnedRay<Doubles> ray = mirrored_ray(surface, glass, rules);
         if constexpr (faulty) ray = faulty_mirror_ray(surface, ray, world.fault, rules);
-        rays.direction = ray.direction;
-        rays.origin = ray.origin;
+        start(ray);
         if (beer) rays.medium = select(from_inside, own, load(surfaces.medium.data() + h));
         if (hashed) rays.path = child_paths(surfaces, h, false);
         push<plain>(secondary.rays, rays, reflected, surfaces, beer);
@@ -180,8 +183,7 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
             {has_secondary, glass, through, reflected, transmitted, and_not(has_secondary, may_start)},
             b.reflected, b.transmitted, b.fresnel);
     if (!any(transmitted)) return;
-    rays.direction = b.refracted_direction;
-    rays.origin = offset_transmitted_origin(surface, rays.direction, rules.offset, rules.epsilon);
+    start(spawn_transmitted_ray(surface, b.refracted_direction, rules));
     rays.weight = b.transmitted;
     if (surfaces.generation == 0) rays.target = rays.target + Doubles(k_layer_stride);
     if (!plain && surfaces.alpha) rays.straight = load(surfaces.straight.data() + h);

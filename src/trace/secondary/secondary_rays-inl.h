@@ -17,33 +17,24 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-template <class T> struct SecondaryRay { Vector3<T> origin, direction; };
-
 /// The mirror ray. glass: the mask of transparent surfaces. On glass a ray is reflected on either side of the
 /// surface, so its offset is towards the ray's side, even if the convention offsets along the normal.
 template <class T, class M>
-HWY_INLINE SecondaryRay<T> mirrored_ray(const SurfacePoint<T>& s, M glass, const Conventions& rules) {
-    const Vector3<T> direction = mirrored(-s.incoming, s.normal);
-    Vector3<T> origin = offset_ray_origin(s, direction, rules.offset, rules.epsilon);
+HWY_INLINE SpawnedRay<T> mirrored_ray(const SurfacePoint<T>& s, M glass, const Conventions& rules) {
+    SpawnedRay<T> ray = spawn_ray(s, mirrored(-s.incoming, s.normal), rules);
     if (rules.offset == Offset::normal)
-        origin =
-            select_vector3(glass, offset_ray_origin(s, direction, Offset::facing, rules.epsilon), origin);
-    return {origin, direction};
+        ray.origin = select_vector3(glass, spawn_ray(s, ray.direction, Offset::facing, rules.epsilon).origin,
+                                    ray.origin);
+    return ray;
 }
 
 /// The mirror ray with a fault. right: without it.
 template <class T>
-HWY_INLINE SecondaryRay<T> faulty_mirror_ray(const SurfacePoint<T>& s, const SecondaryRay<T>& right,
-                                             TracerFault fault, const Conventions& rules) {
-    Vector3<T> direction = right.direction;
-    if (fault == TracerFault::mirror_into_surface) {
-        direction = s.incoming + s.normal * (T(2) * dot(s.normal, s.incoming));
-    } else if (fault == TracerFault::mirror_negated) {
-        direction = -direction;
-    } else {
-        return right;
-    }
-    return {offset_ray_origin(s, direction, rules.offset, rules.epsilon), direction};
+HWY_INLINE SpawnedRay<T> faulty_mirror_ray(const SurfacePoint<T>& s, const SpawnedRay<T>& right,
+                                           TracerFault fault, const Conventions& rules) {
+    if (fault == TracerFault::mirror_into_surface)
+        return spawn_ray(s, s.incoming + s.normal * (T(2) * dot(s.normal, s.incoming)), rules);
+    return fault == TracerFault::mirror_negated ? spawn_ray(s, -right.direction, rules) : right;
 }
 
 /// The direction of the ray through glass, and the reflected fraction F (Fresnel; 1 for total internal
