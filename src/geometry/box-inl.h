@@ -27,21 +27,20 @@ struct BoxGeometry : GeometryTraits {
     static void bounds(const Box& c, Vec3& lo, Vec3& hi) { lo = c.min, hi = c.max; }
 
     template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
-        T enter = T(-1e300), offset_ray_origin = T(1e300);
+        T enter = T(-1e300), exit = T(1e300);
         const auto slab = [&](T lo, T hi, T o, T d) HWY_ATTR {
             const auto parallel = d == T(0);
             const auto inside = (o >= lo) && (o <= hi);
             const T a = (lo - o) / d, b = (hi - o) / d;
             enter = select(parallel, select(inside, enter, T(1e300)), max(enter, min(a, b)));
-            offset_ray_origin = select(parallel, select(inside, offset_ray_origin, T(-1e300)),
-                                       min(offset_ray_origin, max(a, b)));
+            exit = select(parallel, select(inside, exit, T(-1e300)), min(exit, max(a, b)));
         };
         slab(p[0], p[3], ray.origin.x, ray.direction.x);
         slab(p[1], p[4], ray.origin.y, ray.direction.y);
         slab(p[2], p[5], ray.origin.z, ray.direction.z);
-        const T t = select(enter > t_min, enter, offset_ray_origin);
+        const T t = select(enter > t_min, enter, exit);
         // A NaN or infinity in the ray leaves t at its bounds, or outside them: no hit.
-        return {(enter <= offset_ray_origin) && (t > t_min) && (t < T(1e300)), t};
+        return {(enter <= exit) && (t > t_min) && (t < T(1e300)), t};
     }
 
     /// The normal of the face whose plane is nearest to the point.
