@@ -22,7 +22,7 @@ help:
 	@echo 'make test-python  installs the Python package in build/python-venv and tests it (docs/python.md)'
 	@echo 'make release  writes the files of a release to build/release-files (tools/make-release)'
 	@echo 'make tidy     runs clang-tidy; make format, clang-format; make fuzz, the fuzzers'
-	@echo 'make generated writes the manual pages and completions that the command prints'
+	@echo 'make generated writes the tables, schema and types that the terms of an explanation are in'
 	@echo 'make clean    removes what was built'
 
 started := $(shell date +%s)
@@ -121,9 +121,8 @@ bench:
 format:
 	@git ls-files '*.cpp' '*.h' | xargs clang-format-14 -i
 
-# The manual pages and completions, which are files of the source, and what the table of terms is written to.
+# What the table of an explanation's terms is written to.
 generated: build
-	@tools/write-generated $(glint)
 	@cmake build/release -DGLINT_TESTS=ON >/dev/null && cmake --build build/release --target write_terms && build/release/tests/explain/write_terms .
 
 clean:

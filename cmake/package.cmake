@@ -12,7 +12,7 @@ install(DIRECTORY include/glint TYPE INCLUDE COMPONENT development)
 if(TARGET glint_command)
   # In the places that they have here, so that their links work. The scenes have a folder of their own, and a link to it.
   install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE NOTICE SECURITY.md TYPE DOC COMPONENT command)
-  install(DIRECTORY docs TYPE DOC COMPONENT command PATTERN docs/man EXCLUDE)
+  install(DIRECTORY docs TYPE DOC COMPONENT command)
   install(DIRECTORY examples TYPE DOC COMPONENT command)
   install(FILES src/wasm/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/src/wasm COMPONENT command)
   install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/glint COMPONENT command)
