@@ -18,7 +18,7 @@ namespace glint::cli {
 namespace {
 
 constexpr auto k_short_help =
-    R"(glint renders scenes with Phong and Blinn-Phong lighting, hard shadows, mirrors and glass.
+    R"(glint renders scenes with Phong and Blinn-Phong lighting, shadows, mirrors and glass.
 
   glint render SCENE...       draw a scene to a picture
   glint info SCENE            say what a scene holds
@@ -39,7 +39,7 @@ int print_usage_error(const std::string& command, const std::string& message) {
 int run(const std::vector<std::string>& arguments) {
     // Alone, other programs' -v is their version; beside other words it is --verbose.
     if (arguments == std::vector<std::string>{"-v"}) return run({"--version"});
-    CLI::App app("glint renders scenes with Phong and Blinn-Phong lighting, hard shadows, mirrors and glass.",
+    CLI::App app("glint renders scenes with Phong and Blinn-Phong lighting, shadows, mirrors and glass.",
                  "glint");
     app.set_version_flag("-V,--version", k_version, "Print the version and exit");
     std::string footer = "Every command has --help.\n\nExit codes:\n";
