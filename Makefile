@@ -58,12 +58,13 @@ test-blender:
 	@tools/install-dependencies blender
 	@tools/run-tests blender
 
-# The Python package, by Debian's Python.
+# Small scenes beside POV-Ray and Tachyon.
 test-peers:
 	@tools/install-dependencies command
 	@tools/install-dependencies peers
 	@tools/run-tests peers
 
+# The Python package, by Debian's Python.
 test-python:
 	@tools/install-dependencies python
 	@tools/run-tests python
