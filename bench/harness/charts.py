@@ -11,7 +11,10 @@ def bars(results, o):
     bar, left, width = 14, 90, 620
     values = {(s, p.name): ratio(results[s, p.name], results[s, 'glint'])[0] for s in o.scenes for p in programs}
     low, high = min(0.5, *values.values()), max(20, *values.values())
-    place = lambda v: left + (math.log(v) - math.log(low)) / (math.log(high) - math.log(low)) * (width - left - 60)
+
+    def place(v):
+        return left + (math.log(v) - math.log(low)) / (math.log(high) - math.log(low)) * (width - left - 60)
+
     colors = ('#4477aa', '#ee6677', '#228833', '#ccbb44', '#66ccee')
     height = len(o.scenes) * (len(programs) + 1) * bar + 60
     out = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" font-family="sans-serif" '

@@ -37,6 +37,7 @@ class _Items(Sequence[Item], Generic[Item]):
     def __getitem__(self, key: Union[int, str]) -> Item: ...
     @overload
     def __getitem__(self, key: slice) -> List[Item]: ...
+
     def __getitem__(self, key: Union[int, str, slice]) -> Union[Item, List[Item]]:
         if isinstance(key, str):
             return getattr(self._state, self._what + "_named")(key)  # type: ignore[no-any-return]

@@ -175,6 +175,7 @@ class Scene:
     def add(self, item: Camera) -> Camera: ...
     @overload
     def add(self, item: Any, **options: Any) -> Any: ...
+
     def add(self, item: Any, **options: Any) -> Any:
         """Adds a shape, a light, a material or a camera, and returns it: later changes of it are seen.
 

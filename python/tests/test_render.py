@@ -130,7 +130,7 @@ def test_files(scene, tmp_path):
     tga = (tmp_path / "a.tga").read_bytes()
     red, green, blue = image.to_bytes("ppm")[-3:]
     assert tga[:18] == bytes([0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 64, 0, 48, 0, 24, 32])
-    assert tga[18 + 3 * (64 * 48 - 1) :][:3] == bytes([blue, green, red])
+    assert tga[18 + 3 * (64 * 48 - 1):][:3] == bytes([blue, green, red])
     for name in ("a.png", "a.ppm"):
         image.save(tmp_path / name)
         assert np.abs(glint.Image.open(tmp_path / name).array - np.clip(image.array, 0, 1)).max() < 0.51 / 255

@@ -48,7 +48,7 @@ function chunk(type, ...parts) {
 
 function bytesOf32(...numbers) {
     const view = new DataView(new ArrayBuffer(4 * numbers.length));
-    numbers.forEach((value, i) => view.setUint32(4 * i, value));
+    for (const [i, value] of numbers.entries()) view.setUint32(4 * i, value);
     return new Uint8Array(view.buffer);
 }
 

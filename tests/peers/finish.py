@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The rules of finishes: what surfaces make of light, in POV-Ray and Tachyon. The scenes are those of lights.py, with a finish for
 each of the balls."""
-from lights import (BALLS, EYE, FLOOR, FORWARD, TACHYON_AMBIENT, TACHYON_DIFFUSE, WIDTH, HEIGHT, Rule, paren, plain,
+from lights import (BALLS, EYE, FLOOR, FORWARD, TACHYON_AMBIENT, TACHYON_DIFFUSE, Rule, paren, plain,
                     tachyon_camera, tachyon_frame, vec)
 
 # A light at the eye's side gives highlights in the balls' middle, one behind them gives grazing light.

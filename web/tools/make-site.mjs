@@ -12,7 +12,7 @@ const web = fileURLToPath(new URL('..', import.meta.url));
 const project = join(web, '..');
 const out = process.argv[2];
 const template = readFileSync(join(web, 'site/template.html'), 'utf8');
-const escape = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');
+const escaped = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;').replaceAll('>', '&gt;').replaceAll('"', '&quot;');
 
 /** Parts of the site that are not made here. */
 const made = ['playground', 'reference'];
@@ -60,7 +60,7 @@ const fragment = (scene) => `#1=${deflateRawSync(JSON.stringify(scene)).toString
 /** A block of a lesson (docs/lessons/README.md); other blocks are as they are. */
 function lessonBlock(lang, text, path) {
     const [what, name] = lang.split(/\s+/);
-    const code = `<pre><code>${escape(text)}</code></pre>`;
+    const code = `<pre><code>${escaped(text)}</code></pre>`;
     if (what === 'check' || what === 'solution') return `<details><summary>${what === 'check' ? 'Done when' : 'Solution'}</summary>${code}</details>`;
     if (what !== 'scene') return undefined;
     const link = pathInSite('playground');
@@ -81,13 +81,13 @@ function html(path, markdown) {
             const words = this.parser.parseInline(tokens);
             // Panels of the playground.
             if (lesson && /^#(inspect|compare|controls)$/.test(href)) return `<em>${words}</em>`;
-            return `<a href="${escape(address(href, path))}">${words}</a>`;
+            return `<a href="${escaped(address(href, path))}">${words}</a>`;
         },
         image({href, text}) {
-            return `<img src="${escape(address(href, path))}" alt="${escape(text)}">`;
+            return `<img src="${escaped(address(href, path))}" alt="${escaped(text)}">`;
         },
         code({text, lang}) {
-            return (lesson && lang && lessonBlock(lang, text, path)) || `<pre tabindex="0"><code>${escape(text)}</code></pre>\n`;
+            return (lesson && lang && lessonBlock(lang, text, path)) || `<pre tabindex="0"><code>${escaped(text)}</code></pre>\n`;
         },
     }});
     // Tables whose columns need no names.
@@ -99,7 +99,7 @@ function html(path, markdown) {
 
 function write(path, title, body) {
     const to = pathInSite(path), root = '../'.repeat(to.split('/').length - 1);
-    const values = {title: escape(title), root, body};
+    const values = {title: escaped(title), root, body};
     mkdirSync(dirname(join(out, to)), {recursive: true});
     writeFileSync(join(out, to), template.replace(/\{\{(\w+)\}\}/g, (_, name) => values[name]));
 }
@@ -117,10 +117,10 @@ function writeFile(path) {
     } else if (statSync(file).isDirectory()) {
         const entries = readdirSync(file, {withFileTypes: true}).filter((entry) => !/^[._]|^(node_modules|build|dist)$/.test(entry.name))
             .map((entry) => entry.name).sort();
-        const list = entries.map((name) => `<li><a href="${escape(address(name, `${path}/README.md`))}">${escape(name)}</a></li>`);
-        write(path, `${path} · glint`, `<h1>${escape(path)}</h1>\n<ul>\n${list.join('\n')}\n</ul>`);
+        const list = entries.map((name) => `<li><a href="${escaped(address(name, `${path}/README.md`))}">${escaped(name)}</a></li>`);
+        write(path, `${path} · glint`, `<h1>${escaped(path)}</h1>\n<ul>\n${list.join('\n')}\n</ul>`);
     } else {
-        write(path, `${path} · glint`, `<h1>${escape(path)}</h1>\n<pre tabindex="0"><code>${escape(readFileSync(file, 'utf8'))}</code></pre>`);
+        write(path, `${path} · glint`, `<h1>${escaped(path)}</h1>\n<pre tabindex="0"><code>${escaped(readFileSync(file, 'utf8'))}</code></pre>`);
     }
 }
 

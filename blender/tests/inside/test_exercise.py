@@ -22,7 +22,9 @@ class Exercise(SceneTest):
         self.assertEqual(self.warnings, [])
 
     def test_moving_a_light_moves_the_shadows(self):
-        part = lambda: self.layers("shadow", scene="scene.json", more=("-s", "64x64"))["shadow"].channels["Y"]
+        def part():
+            return self.layers("shadow", scene="scene.json", more=("-s", "64x64"))["shadow"].channels["Y"]
+
         self.export_rt2()
         before = part()
         bpy.data.objects["Light1"].location.x -= 4

@@ -25,7 +25,7 @@ function parser(marks: Marks): StreamParser<{inComment: boolean}> {
         startState: () => ({inComment: false}),
         token(stream, state) {
             if (state.inComment) {
-                state.inComment = !stream.match(/^[^]*?\*\//);
+                state.inComment = !stream.match(/^[\s\S]*?\*\//);
                 if (state.inComment) stream.skipToEnd();
                 return 'comment';
             }

@@ -17,7 +17,7 @@ function parse(text: string, offset: number): Value | null {
     let at = offset;
     const skip = () => {
         for (;;) {
-            const blank = /(?:\s|,|;|\/\/.*|\/\*[^]*?\*\/)*/y;
+            const blank = /(?:\s|,|;|\/\/.*|\/\*[\s\S]*?\*\/)*/y;
             blank.lastIndex = at;
             const found = blank.exec(text)![0];
             if (found === '') return;
@@ -64,7 +64,7 @@ function parse(text: string, offset: number): Value | null {
 
 /** The objects of a text, single or in a list. */
 function* objects(text: string): Generator<Map<string, Value>> {
-    const next = /\/\/.*|\/\*[^]*?\*\/|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*'|[{[]/g;
+    const next = /\/\/.*|\/\*[\s\S]*?\*\/|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*'|[{[]/g;
     for (let match = next.exec(text); match; match = next.exec(text)) {
         if (match[0] !== '{' && match[0] !== '[') continue;
         const found = parse(text, match.index);

@@ -33,15 +33,15 @@ function Size() {
     );
 }
 
-const valueOf = (name: string) => settingOf(name)?.value ?? '';
+const textOf = (name: string) => settingOf(name)?.value ?? '';
 
 export function Shading() {
     return (
         <section>
             <h2>Shading</h2>
-            <Choice label="Shading" value={valueOf('shading')} values={wordsOf(settingOf('shading')!)!} set={(v) => setSetting('shading', v)} />
-            <Switch label="Shadows" on={valueOf('shadows') === 'true'} set={(on) => setSetting('shadows', String(on))} />
-            <Slider label="Reflections" value={Number(valueOf('reflections'))} min={0} max={Math.max(10, Number(valueOf('reflections')))} step={1}
+            <Choice label="Shading" value={textOf('shading')} values={wordsOf(settingOf('shading')!)!} set={(v) => setSetting('shading', v)} />
+            <Switch label="Shadows" on={textOf('shadows') === 'true'} set={(on) => setSetting('shadows', String(on))} />
+            <Slider label="Reflections" value={Number(textOf('reflections'))} min={0} max={Math.max(10, Number(textOf('reflections')))} step={1}
                     set={(v) => setSetting('reflections', String(Math.round(v)))} />
         </section>
     );
@@ -65,9 +65,9 @@ export function PictureControls() {
     return (
         <section>
             <h2>Picture</h2>
-            <SampleControls aa={valueOf('aa')} />
+            <SampleControls aa={textOf('aa')} />
             <Size />
-            <Switch label="Transparent background" on={valueOf('alpha') === 'true'} set={(on) => setSetting('alpha', String(on))} />
+            <Switch label="Transparent background" on={textOf('alpha') === 'true'} set={(on) => setSetting('alpha', String(on))} />
         </section>
     );
 }

@@ -160,7 +160,7 @@ function Ray({explanation, number, depth}: {explanation: Explanation; number: nu
     const {hit} = ray;
     const added = addedBy(ray);
     const isNow = steps.value?.ray === number;
-    const absorbed = hit !== undefined && hit.weight.some((c, i) => c !== ray.weight[i]);
+    const absorbed = hit?.weight.some((c, i) => c !== ray.weight[i]);
     return (
         <details class="ray-node" open={depth < 3} data-ray={number}>
             <summary aria-current={isNow ? 'step' : undefined} onClick={() => {
