@@ -207,7 +207,7 @@ GLINT_API Status set_setting(Scene& scene, std::size_t key, std::string_view val
 /// The value of a key, as text for set_setting(); empty if there is no such key.
 GLINT_API std::string get_setting(const Scene& scene, std::size_t key);
 
-/// cgfs, epfl, lecture5, light, csc473, nff, tachyon, glint.
+/// The names of the profiles. docs/conventions.md says what each of them is for.
 GLINT_API std::span<const std::string_view> profile_names();
 
 /// Sets every key of the scene to the profile's value (origin: profile). An error if there is no such

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <set>
 
+#include "glint/load.h"
 #include "scene/camera_fields.h"
 #include "scene/fog_fields.h"
 #include "scene/light_fields.h"
@@ -97,6 +98,31 @@ void expect_rows(const std::vector<std::string>& rows, const std::vector<std::st
             << row;
     }
     EXPECT_EQ(rows.size(), expected.size() + other_keys.size());
+}
+
+// The lists of formats and profiles in prose.
+TEST(DocumentedFormats, AreAllOfThem) {
+    const std::string conventions = read_document("conventions.md"), readme = read_document("../README.md"),
+                      package = read_document("../src/wasm/README.md");
+    for (const FormatInfo& format : formats()) {
+        std::istringstream extensions{std::string(format.extensions)};
+        for (std::string extension; extensions >> extension;) {
+            EXPECT_NE(package.find("`" + extension + "`"), std::string::npos) << extension;
+            EXPECT_NE(readme.find(extension + (extension == ".js" ? "](docs/formats/" : "")),
+                      std::string::npos)
+                << extension;
+            EXPECT_NE(conventions.find(extension), std::string::npos) << extension;
+        }
+        EXPECT_NE(readme.find("](docs/formats/" + std::string(format.name) + ".md)"), std::string::npos)
+            << format.name;
+        const std::size_t places = conventions.find("A key gets its value"),
+                          end = conventions.find("2. your own");
+        EXPECT_NE(conventions.substr(places, end - places).find("`" + std::string(format.profile) + "`"),
+                  std::string::npos)
+            << format.profile;
+    }
+    for (const std::string_view profile : profile_names())
+        EXPECT_NE(conventions.find("\n| " + std::string(profile) + " |"), std::string::npos) << profile;
 }
 
 TEST(DocumentedFields, OfLights) {
