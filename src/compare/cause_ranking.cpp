@@ -209,6 +209,13 @@ void Search::add(const BytePicture& made, CauseCandidate candidate) {
     found.push_back(std::move(candidate));
 }
 
+const CauseCandidate* Search::found_as(const Cause& cause) const {
+    const auto it = std::find_if(found.begin(), found.end(), [&](const CauseCandidate& c) {
+        return c.cause.name == cause.name && c.cause.explanation == cause.explanation;
+    });
+    return it != found.end() ? &*it : nullptr;
+}
+
 std::vector<CauseCandidate> ranked(const Search& search, bool& away_from_edges) {
     std::vector<CauseCandidate> found = explaining(search, false), list;
     double whole = search.whole.all;

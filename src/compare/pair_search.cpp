@@ -115,21 +115,40 @@ void PairSearch::try_geometry(const CauseCandidate& other, Trial& trial) const {
 // In the order in which they are named: first the one that explains more alone.
 CausePair PairSearch::named(PairCandidate pair, const Search& search) const {
     const Distance both = pair.after.left;
+    const bool is_exact = pair.after.is_exact;
     for (CauseCandidate* c : {&pair.before, &pair.after}) {
-        c->is_exact = pair.after.is_exact;
+        c->is_exact = false;
         c->left = search.whole;
         if (c->of_pictures) {
             for (const CauseCandidate& found : search.found) {
-                if (found.of_pictures == c->of_pictures) c->left = found.left;
+                if (found.of_pictures != c->of_pictures) continue;
+                c->left = found.left;
+                c->is_exact = found.is_exact;
             }
         } else if (const auto made = render_candidate(renderer_, *c, renderer_.scene(), all_)) {
-            c->left = distance(made->bytes, *search.target, search.area);
+            search.confirm(made->bytes, *c);
         }
     }
     CausePair named{std::move(pair.before), std::move(pair.after)};
     if (named.second.left.all < named.first.left.all) std::swap(named.first, named.second);
     named.second.left = both;
+    named.second.is_exact = is_exact;
     return named;
+}
+
+std::optional<CausePair> PairSearch::with_first(const Search& search, const CauseCandidate& first,
+                                                const CausePair& pair) const {
+    const auto is_late = [](const CauseCandidate& c) { return c.of_pictures ? 2 : c.edit ? 0 : 1; };
+    const bool is_after = is_late(first) > is_late(pair.second);
+    PairCandidate changed{is_after ? pair.second : first, is_after ? first : pair.second};
+    // Two that are not changes of the scene have no order that is known.
+    if (first.cause.name == pair.second.cause.name || is_late(first) * is_late(pair.second) == 1 ||
+        is_late(changed.before) == 2 || !confirm(search, changed))
+        return std::nullopt;
+    CausePair made{first, is_after ? changed.before : changed.after};
+    made.second.left = changed.after.left;
+    made.second.is_exact = changed.after.is_exact;
+    return made;
 }
 
 // The best pairs, one of each two rows of the tables, with their numbers fitted.

@@ -30,6 +30,11 @@ class SceneTrials {
     void run(std::vector<Search>& searches, const std::function<void()>& step);
     /// The best pair of causes, if it explains what no single one does.
     std::optional<CausePair> find_pair(Search& search, PairKind kind);
+    /// PairSearch::with_first, of a pair that find_pair() has found.
+    std::optional<CausePair> with_first(const Search& search, const CauseCandidate& first,
+                                        const CausePair& pair) const {
+        return pairs_->with_first(search, first, pair);
+    }
     /// Which shapes show the difference.
     std::string where_text(const Search& search);
 

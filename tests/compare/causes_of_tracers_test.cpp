@@ -113,6 +113,20 @@ TEST(CausesOfTracers, AreNamedFirst) {
     }
 }
 
+// V = P is V = -P with R negated. Without highlights nearly as little is left, but then V could not be wrong.
+TEST(CausesOfTracers, ThePairThatWasFoundIsNamed) {
+    for (const double shininess : {4.0, 8.0, 16.0}) {
+        SmallScene scene = row(false, false);
+        for (SmallBall& ball : scene.balls) ball.shininess = shininess;
+        const Scene read = read_scene(text_of(scene));
+        const CauseReport report = *find_causes(picture(scene, {.v_is_p = true}), as_file(draw(read)), &read);
+        EXPECT_EQ(first_cause(report), "reflection-vector-negated") << all_causes(report);
+        ASSERT_EQ(report.then.size(), 1u) << all_causes(report);
+        EXPECT_EQ(report.then[0].name, "eye-at-origin");
+        EXPECT_FALSE(report.then[0].perhaps);
+    }
+}
+
 // A program that rounds halves up, and 0.7 times 255 is 178.5 for it, as for one with doubles: its background
 // differs from the scene's own picture by 1, mistake or not.
 Image rounded_half_up(Image image) {

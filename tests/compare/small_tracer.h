@@ -14,6 +14,7 @@ namespace glint::test {
 struct Mistakes {
     bool l_raw = false, h_raw = false, n_raw = false;  ///< not normalised
     bool n_reversed = false, r_negated = false, v_from_origin = false, v_fixed = false;
+    bool v_is_p = false;  ///< P, not the eye's way from P
     bool specular_times_cosine = false, diffuse_to_power = false, black_shadow = false;
     bool mirror_plus = false, mirror_negated = false;
     bool last_hit = false, first_hit = false, accepts_behind = false;
@@ -158,6 +159,7 @@ class SmallTracer {
         Vec3 v = -d;
         if (m_.v_from_origin && depth == 0) v = normalize(-p);
         if (m_.v_fixed && depth == 0) v = {0, 0, 1};
+        if (m_.v_is_p) v = normalize(p);
         if (m_.n_reversed) n = -n;
         for (const Vec3& lamp : s_.lamps) {
             if (is_blocked(p, lamp)) {
