@@ -196,7 +196,8 @@ PictureSource CauseFinder::source(const Search& search, const Rows& rows) const 
             *search.target,
             search.sample,
             rows,
-            by_scene};
+            by_scene,
+            by_scene ? &trials_->background() : nullptr};
 }
 
 void CauseFinder::try_pictures(Search& search) {
@@ -217,6 +218,7 @@ void CauseFinder::try_pictures(Search& search) {
             cause.freedom,
             distance(made_, *search.target, search.sample)};
         candidate.is_turn = cause.is_turn;
+        candidate.parameters = cause.parameters;
         candidate.of_pictures = i;
         if (is_sample) {
             Distance& left = candidate.left;

@@ -58,13 +58,21 @@ Pair pair_of(std::uint64_t number) {
     return pair;
 }
 
-// What most of the different pixels have.
+// A surface may have one color throughout, too, with another fault.
+bool may_be_background(const PictureSource& s, std::int32_t x, std::int32_t y) {
+    if (s.background == nullptr) return true;
+    return (*s.background)[static_cast<std::size_t>(y) * static_cast<std::size_t>(s.bytes.width) +
+                           static_cast<std::size_t>(x)];
+}
+
+// What most of the different pixels of the background have.
 std::optional<Pair> commonest_change(const PictureSource& s) {
     std::vector<std::uint64_t> pairs;
     for (const std::int32_t y : s.fit.rows) {
         for (std::int32_t x = 0; x < s.bytes.width; ++x) {
             const std::uint8_t *was = s.bytes.pixel(x, y), *is = s.faulty.pixel(x, y);
-            if (!std::equal(was, was + 3, is)) pairs.push_back(number_of(was, is));
+            if (!std::equal(was, was + 3, is) && may_be_background(s, x, y))
+                pairs.push_back(number_of(was, is));
         }
     }
     std::sort(pairs.begin(), pairs.end());
@@ -252,7 +260,8 @@ PictureFault recolored() {
         for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
             for (std::int32_t x = 0; x < made.width; ++x) {
                 const std::uint8_t* was = s.bytes.pixel(x, y);
-                const bool is_changed = std::equal(was, was + 3, colors.begin());
+                const bool is_changed =
+                    std::equal(was, was + 3, colors.begin()) && may_be_background(s, x, y);
                 std::copy_n(is_changed ? &colors[3] : was, 3, made.pixel(x, y));
             }
         });

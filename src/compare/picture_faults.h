@@ -19,6 +19,8 @@ struct PictureSource {
     const Area& fit;              ///< where what is fitted to `faulty` is fitted
     const Rows& rows;             ///< to make
     bool unclamped = false;       ///< the reference comes from the scene
+    /// One mark per pixel of the reference: whether the scene's camera sees no shape there. Null: unknown.
+    const std::vector<bool>* background = nullptr;
 };
 
 /// Makes these rows of `made`, a picture of the reference's size, as they would be with the fault. Nothing if

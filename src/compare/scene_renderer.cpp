@@ -4,6 +4,7 @@
 #include <array>
 
 #include "compare/render_scene.h"
+#include "compare/shape_shares.h"
 
 namespace glint {
 namespace {
@@ -47,6 +48,12 @@ SceneRenderer::SceneRenderer(const Scene& scene, std::int32_t width, std::int32_
 
 ByteRule SceneRenderer::rule(const Scene& scene) const {
     return options_.as_floats ? ByteRule{} : scene.conventions.byte_rule();
+}
+
+const std::vector<bool>& SceneRenderer::background(const PixelGrid& grid) const {
+    const auto known = backgrounds_.find(grid.step);
+    if (known != backgrounds_.end()) return known->second;
+    return backgrounds_.emplace(grid.step, background_pixels(*this, grid)).first->second;
 }
 
 bool SceneRenderer::is_cancelled() const { return options_.cancel.is_set(); }

@@ -23,6 +23,10 @@ class SceneTrials {
 
     /// The scene's own picture, at the reference's size; nothing if it cannot be rendered.
     const std::optional<RenderedScene>& rendered() const { return rendered_; }
+    /// SceneRenderer::background of all pixels.
+    const std::vector<bool>& background() const {
+        return renderer_.background({reference_.width, reference_.height, 1});
+    }
     std::size_t steps() const { return search_ ? search_->size() : 0; }
     bool is_cancelled() const { return renderer_.is_cancelled(); }
 

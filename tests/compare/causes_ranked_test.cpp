@@ -31,5 +31,46 @@ TEST(CausesRanked, TheFirstOfExactCausesThatLeaveTheSame) {
     EXPECT_EQ(first_cause(report), "diffuse-scaled") << all_causes(report);
 }
 
+const std::string k_floor = R"(
+background = (0.2, 0.3, 0.5)
+camera { position = (0, 2, 7)  look_at = (0, 1, 0)  fov_x = 50 }
+light { type = ambient  intensity = 0.8 }
+light { type = point  position = (3, 6, 5)  intensity = 0.8 }
+plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.6, 0.6, 0.5)  ambient = 0.2 }
+sphere { center = (-0.6, 1, 0)  radius = 1  color = (0.6, 0.6, 0.5)  ambient = 0.2 }
+render { size = 60 x 45  shading = phong }
+)";
+
+// All surfaces have one color. "The background was replaced, and there is no light" gives the same picture.
+TEST(CausesRanked, ASurfaceIsNoBackground) {
+    const Scene scene = read_scene(k_floor);
+    const Image right = draw(scene);
+    Scene flat = scene;
+    for (Shape& shape : flat.shapes) shape.material = 0;
+    Material white;
+    white.color = {0.9, 0.9, 0.9};
+    flat.materials.assign(flat.materials.size(), white);
+    flat.settings.shading = Shading::color;
+    const CauseReport report = *find_causes(as_file(draw(flat)), as_file(right), &scene);
+    std::vector<Cause> named = report.causes;
+    named.insert(named.end(), report.then.begin(), report.then.end());
+    for (const Cause& cause : named)
+        EXPECT_TRUE(cause.perhaps || cause.name != "background") << cause.explanation << all_causes(report);
+}
+
+// The background that is one is found, alone and after another fault.
+TEST(CausesRanked, TheBackground) {
+    const Scene scene = read_scene(k_floor);
+    const Image right = draw_text(k_floor);
+    const std::string other =
+        replaced(k_floor, "background = \\(0.2, 0.3, 0.5\\)", "background = (0.3, 0.1, 0.5)");
+    EXPECT_EQ(first_cause(*find_causes(draw_text(other), right, &scene)), "background");
+    const CauseReport both =
+        *find_causes(draw_text(replaced(other, "phong", "phong  shadows = false")), right, &scene);
+    ASSERT_EQ(both.then.size(), 1u) << all_causes(both);
+    EXPECT_EQ(first_cause(both), "background") << all_causes(both);
+    EXPECT_EQ(both.then[0].name, "shadows-missing") << both.then[0].explanation;
+}
+
 }  // namespace
 }  // namespace glint::test
