@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "compare/geometry_search.h"
+#include "compare/missing_shapes.h"
 #include "compare/picture_causes.h"
 
 namespace glint {
@@ -104,6 +105,7 @@ void PairSearch::try_geometry(const CauseCandidate& other, Trial& trial) const {
     if (!rendered) return;
     const auto shares =
         shares_of_shapes(shapes_of_pixels(renderer_, coarse_), rendered->bytes, second.faulty);
+    try_missing_shapes(renderer_, shares, render_with, second);
     fit_geometry(geometry_causes(renderer_, shares), coarse_, renderer_.scene(), render_with, 2, second);
     for (CauseCandidate& before : best_of(second, 1)) {
         CauseCandidate after = other;
@@ -188,7 +190,7 @@ std::optional<CausePair> PairSearch::find(const Search& search) {
         const bool is_known = std::any_of(firsts.begin(), firsts.end(), [&](const CauseCandidate& c) {
             return c.cause.name == found.cause.name;
         });
-        if (found.fitted && !is_known) firsts.push_back(found);
+        if ((found.fitted || found.cause.name == k_shape_missing) && !is_known) firsts.push_back(found);
     }
     std::stable_sort(firsts.begin(), firsts.end(), [&](const CauseCandidate& a, const CauseCandidate& b) {
         return rated(a, a.left.all, search.whole.all) < rated(b, b.left.all, search.whole.all);

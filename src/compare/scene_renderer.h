@@ -29,12 +29,13 @@ struct SphereChange {
 struct FaultyScene {
     Scene shading;
     std::vector<SphereChange> spheres = {};
+    std::vector<std::uint32_t> missing = {};     ///< into Scene::shapes: not drawn
     std::vector<void (*)(Scene&)> reshape = {};  ///< changes of a scene with shapes
     TracerFault fault = TracerFault::none;
 
-    /// Whether a scene with these shapes, that spheres and reshape do not change, has all faults.
+    /// Whether a scene with these shapes, all of them and unchanged, has all faults.
     bool has_all_in_shading() const {
-        return spheres.empty() && reshape.empty() && fault == TracerFault::none;
+        return spheres.empty() && missing.empty() && reshape.empty() && fault == TracerFault::none;
     }
 };
 
