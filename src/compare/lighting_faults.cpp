@@ -56,6 +56,12 @@ void scale_specular(Scene& s, double factor) {
     });
 }
 
+// With grey ones the specular term would only be darker.
+bool has_hue(const Material& m) {
+    const Color& c = m.diffuse;
+    return !is_zero(m.specular) && (c.r != c.g || c.g != c.b);
+}
+
 constexpr SceneFault k_lighting[] = {
     {"ambient-missing", [](const Scene& s) { return any_light(s, is_ambient); },
      [](Scene& s) {
@@ -122,6 +128,11 @@ constexpr SceneFault k_lighting[] = {
     {"highlight-surface-color", has_highlights,
      [](Scene& s) { for_each_material(s, [](Material& m) { m.specular = m.specular * m.color; }); },
      "Highlights have the surface's color: the specular term is also multiplied by the diffuse color."},
+    {"highlight-surface-color", [](const Scene& s) { return has_highlights(s) && any_material(s, has_hue); },
+     [](Scene& s) { for_each_material(s, [](Material& m) { m.specular = m.specular * m.diffuse; }); },
+     "Highlights have the surface's color: the specular term is also multiplied by the diffuse color, with "
+     "its "
+     "coefficient."},
     {"highlight-not-surface-color", has_highlights,
      [](Scene& s) {
          for_each_material(s, [](Material& m) {

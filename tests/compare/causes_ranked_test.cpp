@@ -72,5 +72,21 @@ TEST(CausesRanked, TheBackground) {
     EXPECT_EQ(both.then[0].name, "shadows-missing") << both.then[0].explanation;
 }
 
+// The specular term is multiplied by k_d. With grey surfaces that is a factor.
+TEST(CausesRanked, HighlightsOfTheDiffuseColor) {
+    const std::string text = replaced(k_floor, "  color = \\(0.6, 0.6, 0.5\\)  ambient = 0.2 \\}\nrender",
+                                      "  diffuse_color = (0.8, 0.4, 0.2)  ambient_color = (0.1, 0.1, 0.1)  "
+                                      "specular_color = (0.5, 0.5, 0.5)  shininess = 9 }\nrender");
+    const std::string tinted =
+        replaced(text, "specular_color = \\(0.5, 0.5, 0.5\\)", "specular_color = (0.4, 0.2, 0.1)");
+    const CauseReport report = report_of(tinted, text);
+    EXPECT_EQ(first_cause(report), "highlight-surface-color") << all_causes(report);
+    EXPECT_FALSE(report.causes.empty() || report.causes[0].perhaps);
+    const std::string grey = replaced(text, "0.8, 0.4, 0.2", "0.4, 0.4, 0.4");
+    const std::string faint =
+        replaced(grey, "specular_color = \\(0.5, 0.5, 0.5\\)", "specular_color = (0.2, 0.2, 0.2)");
+    EXPECT_EQ(first_cause(report_of(faint, grey)), "specular-scaled");
+}
+
 }  // namespace
 }  // namespace glint::test
