@@ -19,6 +19,8 @@ using Detail = std::optional<std::string>;
 // Of a fit: after the first, weights make it one of absolute values, which another fault of a few pixels
 // hardly changes.
 constexpr int k_factor_rounds = 5;
+// Of a picture whose colors are truncated: this fraction of the pixels may be something else, at edges.
+constexpr double k_mixed_pixels = 0.05;
 
 // Every channel value of the reference as the byte change(value).
 template <class Change> void change_values(const PictureSource& s, BytePicture& made, Change&& change) {
@@ -247,6 +249,32 @@ PictureFault whole_part(double scale, bool wraps) {
             const double level = std::clamp(static_cast<double>(value) * scale, 0.0, 1e9);
             const auto whole = static_cast<std::uint32_t>(level);
             return static_cast<std::uint8_t>(wraps ? whole & 255u : std::min(whole, 255u));
+        });
+        return "";
+    };
+}
+
+PictureFault truncated(bool background) {
+    return [=](const PictureSource& s, BytePicture& made) -> Detail {
+        if (!s.unclamped || (!background && s.background == nullptr)) return std::nullopt;
+        const auto is_kept = [&](std::int32_t x, std::int32_t y) {
+            return !background && may_be_background(s, x, y);
+        };
+        std::size_t others = 0, all = 0;
+        for (const std::int32_t y : s.fit.rows) {
+            for (std::int32_t x = 0; x < made.width; ++x) {
+                if (is_kept(x, y)) continue;
+                const std::uint8_t* is = s.faulty.pixel(x, y);
+                others += std::any_of(is, is + 3, [](int v) { return v != 0 && v != 255; });
+                ++all;
+            }
+        }
+        if (static_cast<double>(others) > k_mixed_pixels * static_cast<double>(all)) return std::nullopt;
+        change_values(s, made, [](float value) -> std::uint8_t { return value >= 1 ? 255 : 0; });
+        for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
+            for (std::int32_t x = 0; x < made.width; ++x) {
+                if (is_kept(x, y)) std::copy_n(s.bytes.pixel(x, y), 3, made.pixel(x, y));
+            }
         });
         return "";
     };

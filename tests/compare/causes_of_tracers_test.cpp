@@ -65,6 +65,7 @@ const std::vector<Case>& cases() {
         {"first-shape-hit", {.first_hit = true}},
         {"hits-behind-camera", {.accepts_behind = true}},
         {"colors-truncated", {.integer_colors = true}},
+        {"colors-truncated", {.integer_sum = true}},
         {"attenuation-added", {.distance_power = 1}},
         {"attenuation-added", {.distance_power = 2}},
         {"aspect-missing", {.x_factor = 0.75}},
@@ -106,7 +107,7 @@ TEST(CausesOfTracers, AreNamedFirst) {
             const Scene read = read_scene(text_of(scene));
             const Result<CauseReport> report =
                 find_causes(picture(scene, mistakes), as_file(draw(read)), &read);
-            EXPECT_TRUE(report && !report->causes.empty()) << c.name;
+            ASSERT_TRUE(report && !report->causes.empty()) << c.name;
             EXPECT_FALSE(report->causes[0].perhaps) << all_causes(report);
             EXPECT_TRUE(is_among_the_best(*report, c.name)) << c.name << "\n" << all_causes(report);
         }
