@@ -230,10 +230,31 @@ plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.6, 0.6, 0.5)  ambient 
     };
     expect(text(0, 2.4, true), "cylinder-height");
     expect(text(0.9, 1.5, true), "cylinder-height");
+    for (const auto& [lower, upper] : {std::pair{0.6, 3.0}, {-0.6, 1.8}, {0.6, 1.2}, {1.2, 1.8}})
+        expect(text(lower, upper, true), "cylinder-height");
     expect(text(-900, 900, false), "cylinder-unbounded");
     expect(text(0.6, 1.8, false), "caps-missing");
     const CauseReport other = find_causes(draw_text(text(0.6, 1.5, true)), picture, &right).value();
     for (const Cause& cause : other.causes) EXPECT_TRUE(cause.perhaps) << all_causes(other);
+}
+
+// A program that turns no normals draws the inner side of a cylinder without caps dark.
+TEST(CausesOfTracers, CapsThatAreMissingFromAClosedSurface) {
+    const std::string text =
+        "background = (0.2, 0.3, 0.5)\ncamera { position = (1, 5, 8)  look_at = (0, 1, 0)  fov_y = 40 }\n"
+        "light { type = ambient }\nlight { type = point  position = (3, 6, 5)  intensity = 0.7 }\n"
+        "plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.6, 0.6, 0.5)  ambient = 0.2 }\n"
+        "cylinder { from = (0, 0.3, 0)  to = (0, 1.8, 0)  radius = 1  caps = true  color = (0.8, 0.3, 0.2)  "
+        "ambient = 0.2 }\nconventions { facing = open }\nrender { size = 72 x 54 }\n";
+    const Scene right = read_scene(text);
+    const Image picture = as_file(draw(right));
+    const std::string no_caps = replaced(text, "caps = true", "caps = false");
+    for (const std::string& wrong : {no_caps, replaced(no_caps, "facing = open", "facing = none")}) {
+        const CauseReport report = find_causes(draw_text(wrong), picture, &right).value();
+        EXPECT_EQ(first_cause(report), "caps-missing") << all_causes(report);
+        EXPECT_GT(report.causes.at(0).explained, 0.99);
+        EXPECT_FALSE(report.causes[0].perhaps);
+    }
 }
 
 }  // namespace
