@@ -257,5 +257,20 @@ TEST(CausesOfTracers, CapsThatAreMissingFromAClosedSurface) {
     }
 }
 
+// The half size is the tangent divided by 2, or twice it: not an angle that is halved or doubled.
+TEST(CausesOfTracers, AViewOfHalfTheSize) {
+    for (const auto& make : {table, row}) {
+        for (const double factor : {0.5, 2.0}) {
+            const SmallScene scene = make(false, false);
+            const Scene read = read_scene(text_of(scene));
+            const CauseReport report =
+                *find_causes(picture(scene, {.plane_factor = factor}), as_file(draw(read)), &read);
+            EXPECT_EQ(first_cause(report), "field-of-view-scaled") << factor << all_causes(report);
+            EXPECT_FALSE(report.causes.empty() || report.causes[0].perhaps) << all_causes(report);
+            EXPECT_TRUE(report.then.empty()) << all_causes(report);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace glint::test
