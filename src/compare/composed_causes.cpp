@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/composed_causes.h"
 
+#include <algorithm>
+
 #include "compare/scene_faults.h"
 
 namespace glint {
@@ -82,8 +84,6 @@ void add_raw_diffuse(const Scene& scene, std::vector<SceneCause>& causes) {
 
 namespace {
 
-constexpr std::size_t k_max_shadow_lights = 4;  // each is rendered alone
-
 // 1 where a ray hits a surface, else 0.
 std::optional<Image> surfaces_of(Scene scene, const RenderScene& render) {
     for_each_material(scene, [](Material& m) { m.color = {1, 1, 1}; });
@@ -95,7 +95,35 @@ std::optional<Image> surfaces_of(Scene scene, const RenderScene& render) {
     return render(scene);
 }
 
-// The light of one light alone on white surfaces without highlights.
+}  // namespace
+
+// Without the color that stands for "no shape" then.
+void add_shown_normals(const Scene& scene, std::vector<SceneCause>& causes) {
+    if (!is_lit(scene)) return;
+    SceneCause cause{
+        "normals-shown", "Surfaces show their normals as colors, 0.5 (N + 1): a picture for debugging.", {}};
+    cause.compose = [](const Scene& s, const RenderScene& render) -> std::optional<Image> {
+        Scene shown = s;
+        shown.settings.shading = Shading::normals;
+        std::optional<Image> made = render(shown);
+        const std::optional<Image> surfaces = surfaces_of(s, render), plain = render(s);
+        if (!made || !surfaces || !plain) return std::nullopt;
+        for (std::size_t i = 0; i < made->rgb.size(); i += 3) {
+            const float* surface = &surfaces->rgb[i];
+            if (std::all_of(surface, surface + 3, [](float v) { return v == 0; }))
+                std::copy_n(&plain->rgb[i], 3, &made->rgb[i]);
+        }
+        return made;
+    };
+    causes.push_back(std::move(cause));
+}
+
+namespace {
+
+constexpr std::size_t k_max_shadow_lights = 4;  // each is rendered alone
+
+// The light of one light alone on white surfaces without highlights, also from behind: 0 only where it does
+// not reach.
 std::optional<Image> light_of(Scene scene, std::size_t light, const RenderScene& render) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         if (i != light) switch_off(scene.lights[i]);

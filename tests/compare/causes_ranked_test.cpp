@@ -88,5 +88,24 @@ TEST(CausesRanked, HighlightsOfTheDiffuseColor) {
     EXPECT_EQ(first_cause(report_of(faint, grey)), "specular-scaled");
 }
 
+// The program that shows normals draws the rest as it should.
+TEST(CausesRanked, NormalsBeforeTheBackground) {
+    const Scene scene = read_scene(k_floor);
+    const Image right = draw_text(k_floor);
+    Scene normals = scene, white = scene;
+    normals.settings.shading = Shading::normals;
+    white.settings.shading = Shading::color;
+    white.background = {0, 0, 0};
+    Image shown = draw(normals);
+    const Image surfaces = draw(white);
+    for (std::size_t i = 0; i < shown.rgb.size(); i += 3) {
+        if (surfaces.rgb[i] == 0) std::copy_n(&right.rgb[i], 3, &shown.rgb[i]);
+    }
+    const CauseReport report = *find_causes(as_file(shown), right, &scene);
+    EXPECT_EQ(first_cause(report), "normals-shown") << all_causes(report);
+    EXPECT_TRUE(report.then.empty());
+    EXPECT_FALSE(report.causes.empty() || report.causes[0].perhaps);
+}
+
 }  // namespace
 }  // namespace glint::test
