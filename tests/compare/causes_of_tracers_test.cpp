@@ -59,6 +59,7 @@ const std::vector<Case>& cases() {
         {"eye-at-origin", {.v_from_origin = true}},
         {"eye-direction-fixed", {.v_fixed = true}, true},
         {"shadow-black", {.black_shadow = true}},
+        {"shadow-black", {.no_ambient_in_shadow = true}},
         {"mirror-direction", {.mirror_plus = true}, false, true},
         {"mirror-direction", {.mirror_negated = true}, false, true},
         {"last-shape-hit", {.last_hit = true}},
@@ -270,6 +271,18 @@ TEST(CausesOfTracers, AViewOfHalfTheSize) {
             EXPECT_TRUE(report.then.empty()) << all_causes(report);
         }
     }
+}
+
+// Of a fault that is a sum of pictures and one of the kernels, both are in all of these pictures.
+TEST(CausesOfTracers, BlackShadowsAndAnotherFault) {
+    const SmallScene scene = table(false, false);
+    const Scene read = read_scene(text_of(scene));
+    const CauseReport report = *find_causes(
+        picture(scene, {.specular_times_cosine = true, .black_shadow = true}), as_file(draw(read)), &read);
+    ASSERT_EQ(report.then.size(), 1u) << all_causes(report);
+    EXPECT_EQ(first_cause(report), "shadow-black") << all_causes(report);
+    EXPECT_EQ(report.then[0].name, "highlight-times-cosine");
+    EXPECT_FALSE(report.then[0].perhaps);
 }
 
 }  // namespace
