@@ -169,6 +169,13 @@ constexpr SceneFault k_lighting[] = {
     {"not-normalized", [](const Scene& s) { return is_lit(s) && s.conventions.normalize; },
      [](Scene& s) { s.conventions.normalize = false; },
      "Vectors do not have unit length: normalise L, V, R (or H) before computing dot products."},
+    {"not-normalized",
+     [](const Scene& s) { return has_highlights(s) && s.conventions.normalize && !s.camera.lighting_eye; },
+     [](Scene& s) {
+         s.conventions.normalize = false;
+         s.camera.lighting_eye = s.camera.position;
+     },
+     "Vectors do not have unit length, V neither: normalise L, V, R (or H) before computing dot products."},
     {"back-sides-lit", [](const Scene& s) { return is_lit(s) && s.conventions.clamp_cosines; },
      [](Scene& s) { s.conventions.clamp_cosines = false; },
      "Light from behind a surface makes it darker: N.L is negative there and is added all the same. Use "

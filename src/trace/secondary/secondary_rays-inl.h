@@ -31,12 +31,14 @@ HWY_INLINE SecondaryRay<T> mirrored_ray(const SurfacePoint<T>& s, M glass, const
     return {origin, direction};
 }
 
-/// The mirror ray with a fault. right: without it.
+/// The mirror ray with a fault. right: without it. normal_length: that of the faulty N.
 template <class T>
 HWY_INLINE SecondaryRay<T> faulty_mirror_ray(const SurfacePoint<T>& s, const SecondaryRay<T>& right,
-                                             TracerFault fault, const Conventions& rules) {
+                                             T normal_length, TracerFault fault, const Conventions& rules) {
     Vector3<T> direction = right.direction;
-    if (fault == TracerFault::mirror_into_surface) {
+    if (fault == TracerFault::normal_not_unit_anywhere) {
+        direction = mirrored(-s.incoming, s.normal * normal_length);
+    } else if (fault == TracerFault::mirror_into_surface) {
         direction = s.incoming + s.normal * (T(2) * dot(s.normal, s.incoming));
     } else if (fault == TracerFault::mirror_negated) {
         direction = -direction;
