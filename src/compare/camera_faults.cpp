@@ -31,6 +31,12 @@ void put_tangent(Scene& s, double tangent) {
 
 bool sees_highlights(const Scene& s) { return has_highlights(s) && !s.camera.lighting_eye; }
 
+void put_eye_at_origin(Scene& s) { s.camera.lighting_eye = Vec3{0, 0, 0}; }
+void fix_eye_direction(Scene& s) {
+    const PreparedCamera camera = prepare_camera(s.camera, s.settings);
+    s.camera.lighting_eye = camera.position - normalize(camera.forward) * k_eye_far;
+}
+
 constexpr SceneFault k_camera[] = {
     {"field-of-view",
      [](const Scene& s) {
@@ -61,16 +67,27 @@ constexpr SceneFault k_camera[] = {
      [](const Scene& s) {
          return sees_highlights(s) && !(s.camera.position == Vec3{0, 0, 0});
      },
-     [](Scene& s) {
-         s.camera.lighting_eye = Vec3{0, 0, 0};
-     },
+     put_eye_at_origin,
      "Highlights are seen from the origin: V is -P. It is the vector from P to the camera."},
-    {"eye-direction-fixed", sees_highlights,
-     [](Scene& s) {
-         const PreparedCamera camera = prepare_camera(s.camera, s.settings);
-         s.camera.lighting_eye = camera.position - normalize(camera.forward) * k_eye_far;
-     },
+    {"eye-direction-fixed", sees_highlights, fix_eye_direction,
      "Highlights have the same V everywhere, the camera's direction. It is the vector from P to the camera."},
+    {.name = "eye-at-origin",
+     .applies =
+         [](const Scene& s) {
+             return sees_highlights(s) && has_mirrors(s) && !(s.camera.position == Vec3{0, 0, 0});
+         },
+     .put = put_eye_at_origin,
+     .explanation =
+         "Highlights are seen from the origin, in mirrors, too: V is -P. It is the vector from P to "
+         "where the ray comes from.",
+     .fault = TracerFault::eye_everywhere},
+    {.name = "eye-direction-fixed",
+     .applies = [](const Scene& s) { return sees_highlights(s) && has_mirrors(s); },
+     .put = fix_eye_direction,
+     .explanation =
+         "Highlights have the same V everywhere, in mirrors, too, the camera's direction. It is the "
+         "vector from P to where the ray comes from.",
+     .fault = TracerFault::eye_everywhere},
 };
 
 }  // namespace

@@ -196,7 +196,8 @@ PictureSource CauseFinder::source(const Search& search, const Rows& rows) const 
             *search.target,
             search.sample,
             rows,
-            by_scene};
+            by_scene,
+            by_scene ? &trials_->background() : nullptr};
 }
 
 void CauseFinder::try_pictures(Search& search) {
@@ -217,6 +218,7 @@ void CauseFinder::try_pictures(Search& search) {
             cause.freedom,
             distance(made_, *search.target, search.sample)};
         candidate.is_turn = cause.is_turn;
+        candidate.parameters = cause.parameters;
         candidate.of_pictures = i;
         if (is_sample) {
             Distance& left = candidate.left;
@@ -298,27 +300,37 @@ void CauseFinder::judge_agreement(Search& search) const {
     search.whole = {};  // there is nothing to explain
 }
 
-void CauseFinder::name_pair(Search& search, CausePair& pair) {
+void CauseFinder::name_pair(Search& search, CausePair& pair) const {
     CauseReport& report = search.report;
+    const double least_gain = k_second_explains * search.whole.all;
+    // The first one may be all, once its numbers are fitted better.
+    const auto is_all = [&] { return pair.first.left.all - pair.second.left.all <= least_gain; };
+    // Of causes that leave nearly the same alone, the one that was ranked first is named, if the pair with it
+    // explains the picture, too.
+    const CauseCandidate* ranked_first =
+        report.causes.empty() ? nullptr : search.found_as(report.causes.front());
+    if (ranked_first != nullptr && std::fabs(ranked_first->left.all - pair.first.left.all) <= least_gain) {
+        if (is_all()) {
+            pair.first = *ranked_first;
+        } else if (auto other = trials_->with_first(search, *ranked_first, pair);
+                   other && other->second.is_exact >= pair.second.is_exact &&
+                   other->second.left.all <= pair.second.left.all + least_gain) {
+            pair = *std::move(other);
+        }
+    }
     CauseCandidate &first = pair.first, &second = pair.second;
     for (CauseCandidate* c : {&first, &second}) {
         c->cause.remaining = c->left.all;
         c->cause.explained = std::max(1 - c->left.all / search.whole.all, 0.0);
-        c->cause.perhaps = !second.is_exact;
-    }
-    // Of causes that leave nearly the same alone, the one that was ranked first is named.
-    if (!report.causes.empty() && std::fabs(report.causes.front().remaining - first.cause.remaining) <=
-                                      k_second_explains * search.whole.all) {
-        const bool perhaps = first.cause.perhaps;
-        first.cause = report.causes.front();
-        first.cause.perhaps = perhaps;
+        c->cause.perhaps = is_all() ? !first.is_exact : !second.is_exact;
     }
     std::erase_if(report.causes, [&](const Cause& c) { return c.name == first.cause.name; });
     report.causes.insert(report.causes.begin(), first.cause);
-    // The first one may be all, once its numbers are fitted better.
-    if (first.left.all - second.left.all > k_second_explains * search.whole.all) report.then = {second.cause};
     search.pair = {first};
-    if (!report.then.empty()) search.pair.push_back(second);
+    if (!is_all()) {
+        report.then = {second.cause};
+        search.pair.push_back(second);
+    }
     report.remark.clear();
     report.nearest.reset();
 }

@@ -43,7 +43,7 @@ class CauseFinder {
     std::optional<CausePair> find_pair(Search& search);
     void name(Search& search);
     void judge_agreement(Search& search) const;
-    static void name_pair(Search& search, CausePair& pair);
+    void name_pair(Search& search, CausePair& pair) const;
 
     BytePicture bytes_;
     bool is_of_scene_ = false;  // `bytes_` are those of the scene's own picture

@@ -15,8 +15,8 @@ std::vector<std::string_view> collect() {
         "abs-cosine",           "normals-reversed",  "not-normalized", "shadow-black",   "anti-aliasing",
         "area-light-samples",   "light-alone",       "light-missing",  "light-scaled",   "reflections-fewer",
         "shifted-half-pixel",   "shifted-one-pixel", "shadows-soft",   "camera-moved",   "camera-turned",
-        "field-of-view-scaled", "fog-color",         "light-moved",    "material-color", "shape-moved",
-        "shape-scaled",         "spot-turned"};
+        "field-of-view-scaled", "fog-color",         "light-moved",    "material-color", "shape-missing",
+        "shape-moved",          "shape-scaled",      "spot-turned"};
     for (const auto faults : {lighting_faults(), light_kind_faults(), tracing_faults(), medium_faults(),
                               camera_faults(), kernel_faults(), shape_faults()}) {
         for (const SceneFault& fault : faults) {

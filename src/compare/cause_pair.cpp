@@ -7,12 +7,6 @@
 #include "compare/picture_causes.h"
 
 namespace glint {
-namespace {
-
-// Numbers that a fault of pictures with a detail fits.
-constexpr int k_detail_parameters = 2;
-
-}  // namespace
 
 std::string row_key(const CauseCandidate& c) {
     return fmt::format("{} {} {}", c.cause.name, c.row, c.of_pictures.has_value());
@@ -42,8 +36,9 @@ std::optional<RenderedScene> render_pair(const SceneRenderer& renderer, const Pi
         if (!fault->of_pictures || !made) continue;
         BytePicture bytes = made->bytes;
         const PictureCause& cause = picture_causes()[*fault->of_pictures];
-        const auto detail = cause.make(
-            {made->image, made->bytes, *search.target, search.area, search.area.rows, true}, bytes);
+        const auto detail = cause.make({made->image, made->bytes, *search.target, search.area,
+                                        search.area.rows, true, &renderer.background(grid)},
+                                       bytes);
         if (!detail) return std::nullopt;
         fault->cause.explanation = fmt::format(fmt::runtime(cause.explanation), *detail);
         for (std::size_t i = 0; i < bytes.rgb.size(); ++i)

@@ -12,8 +12,8 @@ namespace glint {
 namespace {
 
 // Among causes within this fraction of the difference the simplest, which is the first in the table, is named
-// first.
-constexpr double k_tie = 0.003;
+// first. Among exact ones, they leave the same but for the rounding of a few bytes: this mean, in 255ths.
+constexpr double k_tie = 0.003, k_exact_tie = 0.01;
 // The fraction of the whole difference that each further fitted number must explain.
 constexpr double k_parameter = 0.012;
 // A flexible candidate is dropped if another one explains this much.
@@ -209,6 +209,13 @@ void Search::add(const BytePicture& made, CauseCandidate candidate) {
     found.push_back(std::move(candidate));
 }
 
+const CauseCandidate* Search::found_as(const Cause& cause) const {
+    const auto it = std::find_if(found.begin(), found.end(), [&](const CauseCandidate& c) {
+        return c.cause.name == cause.name && c.cause.explanation == cause.explanation;
+    });
+    return it != found.end() ? &*it : nullptr;
+}
+
 std::vector<CauseCandidate> ranked(const Search& search, bool& away_from_edges) {
     std::vector<CauseCandidate> found = explaining(search, false), list;
     double whole = search.whole.all;
@@ -229,7 +236,8 @@ std::vector<CauseCandidate> ranked(const Search& search, bool& away_from_edges) 
         for (const CauseCandidate& c : found) {
             if (c.is_exact == is_exact) least = std::min(least, rate(c));
         }
-        const double limit = least + (least > 0 ? k_tie * whole : 0);
+        const double tie = is_exact ? std::min(k_tie * whole, k_exact_tie) : k_tie * whole;
+        const double limit = least + (least > 0 ? tie : 0);
         const auto best = std::find_if(found.begin(), found.end(), [&](const CauseCandidate& c) {
             return c.is_exact == is_exact && rate(c) <= limit;
         });

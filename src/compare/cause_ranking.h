@@ -81,6 +81,8 @@ struct Search {
     double agreement_turned = 0;
 
     bool is_open() const { return status.ok() && whole.all > 0; }
+    /// The candidate of a cause that the report names; null if there is none.
+    const CauseCandidate* found_as(const Cause& cause) const;
     /// `made` is what the candidate makes of the reference.
     void judge(const BytePicture& made, CauseCandidate candidate) {
         candidate.left = distance(made, *target, area);

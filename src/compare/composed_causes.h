@@ -11,6 +11,8 @@ namespace glint {
 void add_turned_cosines(const Scene& scene, std::vector<SceneCause>& causes);
 /// Only the diffuse term is of vectors that are not normalised.
 void add_raw_diffuse(const Scene& scene, std::vector<SceneCause>& causes);
+/// Surfaces show their normals, and the rest of the picture is right.
+void add_shown_normals(const Scene& scene, std::vector<SceneCause>& causes);
 /// Surfaces are black where lights do not reach them, without the ambient term.
 void add_black_shadows(const Scene& scene, std::vector<SceneCause>& causes);
 

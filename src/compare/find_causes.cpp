@@ -37,11 +37,7 @@ std::vector<NamedFault> named_faults(const Search& search) {
         return faults;
     }
     if (search.report.causes.empty()) return faults;
-    const Cause& first = search.report.causes.front();
-    const auto it = std::find_if(search.found.begin(), search.found.end(), [&](const CauseCandidate& c) {
-        return c.cause.name == first.name && c.cause.explanation == first.explanation;
-    });
-    if (it != search.found.end()) add(*it);
+    if (const CauseCandidate* first = search.found_as(search.report.causes.front())) add(*first);
     return faults;
 }
 

@@ -22,7 +22,8 @@ constexpr std::size_t k_max_shapes = 6, k_max_moved_lights = 8;
 constexpr double k_light_unit = 0.02, k_camera_unit = 0.01, k_sphere_unit = 0.05;  // of distance or radius
 constexpr double k_axis_unit = 0.02;                                               // of the unit axis
 constexpr double k_view_unit = 0.01, k_color_unit = 0.05;
-constexpr double k_said = 0.05;  // a part of a way that is worth a word
+constexpr double k_widest_start = 150;  // from which the field of view is fitted
+constexpr double k_said = 0.05;      // a part of a way that is worth a word
 
 Vec3 vec_of(Values v) { return {v[0], v[1], v[2]}; }
 
@@ -132,28 +133,37 @@ void add_camera(const Scene& scene, std::vector<FittedCause>& causes) {
          }});
 }
 
+// Also from the angles of the rows field-of-view-halved and -doubled: edges are too far from there at the
+// scene's own.
 void add_view(const Scene& scene, std::vector<FittedCause>& causes) {
     const Camera& camera = scene.camera;
     if (camera.projection != Projection::perspective) return;
     const bool has_angle = !camera.frame;
-    causes.push_back(
-        {"field-of-view-scaled",
-         {has_angle ? k_view_unit * camera.fov_degrees : k_view_unit},
-         [has_angle](FaultyScene& s, Values v) {
-             Camera& c = s.shading.camera;
-             if (has_angle) {
-                 c.fov_degrees = std::clamp(c.fov_degrees + v[0], 0.1, 179.0);
-                 return;
-             }
-             c.frame->right = c.frame->right * (1 + v[0]);
-             c.frame->up = c.frame->up * (1 + v[0]);
-         },
-         [=, was = camera.fov_degrees](Values v, bool) {
-             return has_angle
-                        ? fmt::format("The field of view is {:.3g} degrees, and in the reference {:.3g}.",
-                                      was + v[0], was)
-                        : fmt::format("The viewport is {:.3g} times as large as in the reference.", 1 + v[0]);
-         }});
+    const double unit = has_angle ? k_view_unit * camera.fov_degrees : k_view_unit;
+    for (const double start : {1.0, 0.5, 2.0}) {
+        if (start > 1 && has_angle && start * camera.fov_degrees > k_widest_start) continue;
+        FittedCause cause{
+            "field-of-view-scaled",
+            {unit},
+            [has_angle](FaultyScene& s, Values v) {
+                Camera& c = s.shading.camera;
+                if (has_angle) {
+                    c.fov_degrees = std::clamp(c.fov_degrees + v[0], 0.1, 179.0);
+                    return;
+                }
+                c.frame->right = c.frame->right * (1 + v[0]);
+                c.frame->up = c.frame->up * (1 + v[0]);
+            },
+            [=, was = camera.fov_degrees](Values v, bool) {
+                return has_angle
+                           ? fmt::format("The field of view is {:.3g} degrees, and in the reference {:.3g}.",
+                                         was + v[0], was)
+                           : fmt::format("The viewport is {:.3g} times as large as in the reference.",
+                                         1 + v[0]);
+            }};
+        if (start != 1) cause.start = {(start - 1) * (has_angle ? camera.fov_degrees : 1)};
+        causes.push_back(std::move(cause));
+    }
 }
 
 void add_sphere(const SceneRenderer& renderer, std::uint32_t shape, std::vector<FittedCause>& causes) {

@@ -20,9 +20,15 @@ class GeometryFit {
                 Search& search)
         : base_(base), render_(render), search_(search), fitter_(grid, *search.target) {}
 
-    // ParameterFit::promise.
-    double promise(const FittedCause& cause, const RenderedScene& at_start) const {
-        return fitter_.promise(problem_of(cause), at_start.image.rgb);
+    // ParameterFit::promise. at_base: without the cause.
+    double promise(const FittedCause& cause, const RenderedScene& at_base) const {
+        if (cause.start.empty()) return fitter_.promise(problem_of(cause), at_base.image.rgb);
+        const std::optional<RenderedScene> at_start = render_with(cause, cause.start);
+        if (!at_start) return 0;
+        // Of the difference without the cause: the start may remove it, too, or be far from the picture.
+        const double left =
+            fitter_.blurred_square(at_start->image.rgb) / fitter_.blurred_square(at_base.image.rgb);
+        return left < 1 ? 1 - left * (1 - fitter_.promise(problem_of(cause), at_start->image.rgb)) : 0;
     }
 
     // Fits and judges a cause.

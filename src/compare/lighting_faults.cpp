@@ -56,6 +56,12 @@ void scale_specular(Scene& s, double factor) {
     });
 }
 
+// With grey ones the specular term would only be darker.
+bool has_hue(const Material& m) {
+    const Color& c = m.diffuse;
+    return !is_zero(m.specular) && (c.r != c.g || c.g != c.b);
+}
+
 constexpr SceneFault k_lighting[] = {
     {"ambient-missing", [](const Scene& s) { return any_light(s, is_ambient); },
      [](Scene& s) {
@@ -122,6 +128,11 @@ constexpr SceneFault k_lighting[] = {
     {"highlight-surface-color", has_highlights,
      [](Scene& s) { for_each_material(s, [](Material& m) { m.specular = m.specular * m.color; }); },
      "Highlights have the surface's color: the specular term is also multiplied by the diffuse color."},
+    {"highlight-surface-color", [](const Scene& s) { return has_highlights(s) && any_material(s, has_hue); },
+     [](Scene& s) { for_each_material(s, [](Material& m) { m.specular = m.specular * m.diffuse; }); },
+     "Highlights have the surface's color: the specular term is also multiplied by the diffuse color, with "
+     "its "
+     "coefficient."},
     {"highlight-not-surface-color", has_highlights,
      [](Scene& s) {
          for_each_material(s, [](Material& m) {
@@ -158,6 +169,13 @@ constexpr SceneFault k_lighting[] = {
     {"not-normalized", [](const Scene& s) { return is_lit(s) && s.conventions.normalize; },
      [](Scene& s) { s.conventions.normalize = false; },
      "Vectors do not have unit length: normalise L, V, R (or H) before computing dot products."},
+    {"not-normalized",
+     [](const Scene& s) { return has_highlights(s) && s.conventions.normalize && !s.camera.lighting_eye; },
+     [](Scene& s) {
+         s.conventions.normalize = false;
+         s.camera.lighting_eye = s.camera.position;
+     },
+     "Vectors do not have unit length, V neither: normalise L, V, R (or H) before computing dot products."},
     {"back-sides-lit", [](const Scene& s) { return is_lit(s) && s.conventions.clamp_cosines; },
      [](Scene& s) { s.conventions.clamp_cosines = false; },
      "Light from behind a surface makes it darker: N.L is negative there and is added all the same. Use "

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "compare/geometry_search.h"
+#include "compare/missing_shapes.h"
 #include "compare/picture_causes.h"
 
 namespace glint {
@@ -104,6 +105,7 @@ void PairSearch::try_geometry(const CauseCandidate& other, Trial& trial) const {
     if (!rendered) return;
     const auto shares =
         shares_of_shapes(shapes_of_pixels(renderer_, coarse_), rendered->bytes, second.faulty);
+    try_missing_shapes(renderer_, shares, render_with, second);
     fit_geometry(geometry_causes(renderer_, shares), coarse_, renderer_.scene(), render_with, 2, second);
     for (CauseCandidate& before : best_of(second, 1)) {
         CauseCandidate after = other;
@@ -115,21 +117,40 @@ void PairSearch::try_geometry(const CauseCandidate& other, Trial& trial) const {
 // In the order in which they are named: first the one that explains more alone.
 CausePair PairSearch::named(PairCandidate pair, const Search& search) const {
     const Distance both = pair.after.left;
+    const bool is_exact = pair.after.is_exact;
     for (CauseCandidate* c : {&pair.before, &pair.after}) {
-        c->is_exact = pair.after.is_exact;
+        c->is_exact = false;
         c->left = search.whole;
         if (c->of_pictures) {
             for (const CauseCandidate& found : search.found) {
-                if (found.of_pictures == c->of_pictures) c->left = found.left;
+                if (found.of_pictures != c->of_pictures) continue;
+                c->left = found.left;
+                c->is_exact = found.is_exact;
             }
         } else if (const auto made = render_candidate(renderer_, *c, renderer_.scene(), all_)) {
-            c->left = distance(made->bytes, *search.target, search.area);
+            search.confirm(made->bytes, *c);
         }
     }
     CausePair named{std::move(pair.before), std::move(pair.after)};
     if (named.second.left.all < named.first.left.all) std::swap(named.first, named.second);
     named.second.left = both;
+    named.second.is_exact = is_exact;
     return named;
+}
+
+std::optional<CausePair> PairSearch::with_first(const Search& search, const CauseCandidate& first,
+                                                const CausePair& pair) const {
+    const auto is_late = [](const CauseCandidate& c) { return c.of_pictures ? 2 : c.edit ? 0 : 1; };
+    const bool is_after = is_late(first) > is_late(pair.second);
+    PairCandidate changed{is_after ? pair.second : first, is_after ? first : pair.second};
+    // Two that are not changes of the scene have no order that is known.
+    if (first.cause.name == pair.second.cause.name || is_late(first) * is_late(pair.second) == 1 ||
+        is_late(changed.before) == 2 || !confirm(search, changed))
+        return std::nullopt;
+    CausePair made{first, is_after ? changed.before : changed.after};
+    made.second.left = changed.after.left;
+    made.second.is_exact = changed.after.is_exact;
+    return made;
 }
 
 // The best pairs, one of each two rows of the tables, with their numbers fitted.
@@ -169,7 +190,7 @@ std::optional<CausePair> PairSearch::find(const Search& search) {
         const bool is_known = std::any_of(firsts.begin(), firsts.end(), [&](const CauseCandidate& c) {
             return c.cause.name == found.cause.name;
         });
-        if (found.fitted && !is_known) firsts.push_back(found);
+        if ((found.fitted || found.cause.name == k_shape_missing) && !is_known) firsts.push_back(found);
     }
     std::stable_sort(firsts.begin(), firsts.end(), [&](const CauseCandidate& a, const CauseCandidate& b) {
         return rated(a, a.left.all, search.whole.all) < rated(b, b.left.all, search.whole.all);

@@ -10,7 +10,7 @@
 
 namespace glint {
 
-/// Two causes that explain a picture together. What `second` leaves is what both leave.
+/// Two causes that explain a picture together. What `second` leaves, and whether it is exact, is of both.
 struct CausePair {
     CauseCandidate first, second;
 };
@@ -27,6 +27,9 @@ class PairSearch {
     std::optional<CausePair> find(const Search& search);
     /// The same, of the best causes and a shift of the picture by a pixel or half of one.
     std::optional<CausePair> find_shifted(const Search& search);
+    /// The pair with another first cause, judged by all pixels; nothing if the two do not go together.
+    std::optional<CausePair> with_first(const Search& search, const CauseCandidate& first,
+                                        const CausePair& pair) const;
 
   private:
     // A fault of pictures, the search for the picture without it, and how much that differs.

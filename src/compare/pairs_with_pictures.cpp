@@ -94,7 +94,13 @@ void PairSearch::try_undone_geometry(Trial& trial) const {
 void PairSearch::try_two_of_pictures(std::size_t after, const Search& undone, Trial& trial) const {
     BytePicture made = undone.faulty;
     const RenderedScene& plain = *causes_.rendered();
-    const PictureSource from{plain.image, plain.bytes, undone.faulty, undone.area, undone.area.rows, true};
+    const PictureSource from{plain.image,
+                             plain.bytes,
+                             undone.faulty,
+                             undone.area,
+                             undone.area.rows,
+                             true,
+                             &renderer_.background(coarse_)};
     for (std::size_t i = 0; i < picture_causes().size(); ++i) {
         const PictureCause& cause = picture_causes()[i];
         if (i == after || cause.freedom > 0 || cause.name == k_shift || !cause.make(from, made)) continue;
@@ -115,8 +121,13 @@ void PairSearch::try_pictures(Trial& trial) {
         second.whole = coarse.whole;
         CauseCandidate after = fault_of_pictures(i);
         for (const CauseEffect& effect : effects_) {
-            const PictureSource from{effect.rendered.image, effect.rendered.bytes, coarse.faulty,
-                                     coarse.area,           coarse.area.rows,      true};
+            const PictureSource from{effect.rendered.image,
+                                     effect.rendered.bytes,
+                                     coarse.faulty,
+                                     coarse.area,
+                                     coarse.area.rows,
+                                     true,
+                                     &renderer_.background(coarse_)};
             if (!cause.make(from, made)) continue;
             CauseCandidate candidate = effect.candidate;
             candidate.left = distance(made, coarse.faulty, coarse.area);

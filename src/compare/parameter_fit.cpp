@@ -169,6 +169,13 @@ double ParameterFit::promise(const FitProblem& problem, const std::vector<float>
     return gain / step->error;
 }
 
+double ParameterFit::blurred_square(std::vector<float> rendered) const {
+    clamp_to_picture(rendered);
+    const int radius = stages_of(grid_.columns(), FitStart::far)[1].radius;
+    const std::vector<float> error = blurred_difference(target_, rendered, radius);
+    return product(error, error);
+}
+
 double ParameterFit::left_of(const std::vector<float>& rendered) const {
     double sum = 0;
     for (std::size_t i = 0; i < rendered.size(); ++i) {

@@ -40,6 +40,8 @@ class ParameterFit {
     /// The fraction of the squared, blurred difference that the best small change removes. `at_start` is what
     /// the problem renders at its start.
     double promise(const FitProblem& problem, const std::vector<float>& at_start) const;
+    /// The squared, blurred difference of a rendered picture.
+    double blurred_square(std::vector<float> rendered) const;
     /// Nothing if it cannot be rendered, or has too many numbers.
     std::optional<Fit> fit(const FitProblem& problem, FitStart start) const;
 

@@ -20,8 +20,11 @@ struct PictureCause {
     /// Gives the picture without the fault, but for rounding.
     PictureFault undo = {};
     bool is_rendered = false;  ///< the causes of a scene have it exactly: not tried if there is a scene
+    int parameters = 0;        ///< CauseCandidate::parameters
 };
 
+/// Numbers that a fault of pictures with a detail fits.
+inline constexpr int k_detail_parameters = 2;
 /// Bytes that are truncated: all that it changes is within rounding.
 inline constexpr const char* k_rounded_down = "rounded-down";
 /// Explanations with a direction, which are also those of shifts that are rendered.

@@ -19,6 +19,8 @@ using Detail = std::optional<std::string>;
 // Of a fit: after the first, weights make it one of absolute values, which another fault of a few pixels
 // hardly changes.
 constexpr int k_factor_rounds = 5;
+// Of a picture whose colors are truncated: this fraction of the pixels may be something else, at edges.
+constexpr double k_mixed_pixels = 0.05;
 
 // Every channel value of the reference as the byte change(value).
 template <class Change> void change_values(const PictureSource& s, BytePicture& made, Change&& change) {
@@ -58,13 +60,21 @@ Pair pair_of(std::uint64_t number) {
     return pair;
 }
 
-// What most of the different pixels have.
+// A surface may have one color throughout, too, with another fault.
+bool may_be_background(const PictureSource& s, std::int32_t x, std::int32_t y) {
+    if (s.background == nullptr) return true;
+    return (*s.background)[static_cast<std::size_t>(y) * static_cast<std::size_t>(s.bytes.width) +
+                           static_cast<std::size_t>(x)];
+}
+
+// What most of the different pixels of the background have.
 std::optional<Pair> commonest_change(const PictureSource& s) {
     std::vector<std::uint64_t> pairs;
     for (const std::int32_t y : s.fit.rows) {
         for (std::int32_t x = 0; x < s.bytes.width; ++x) {
             const std::uint8_t *was = s.bytes.pixel(x, y), *is = s.faulty.pixel(x, y);
-            if (!std::equal(was, was + 3, is)) pairs.push_back(number_of(was, is));
+            if (!std::equal(was, was + 3, is) && may_be_background(s, x, y))
+                pairs.push_back(number_of(was, is));
         }
     }
     std::sort(pairs.begin(), pairs.end());
@@ -244,6 +254,32 @@ PictureFault whole_part(double scale, bool wraps) {
     };
 }
 
+PictureFault truncated(bool background) {
+    return [=](const PictureSource& s, BytePicture& made) -> Detail {
+        if (!s.unclamped || (!background && s.background == nullptr)) return std::nullopt;
+        const auto is_kept = [&](std::int32_t x, std::int32_t y) {
+            return !background && may_be_background(s, x, y);
+        };
+        std::size_t others = 0, all = 0;
+        for (const std::int32_t y : s.fit.rows) {
+            for (std::int32_t x = 0; x < made.width; ++x) {
+                if (is_kept(x, y)) continue;
+                const std::uint8_t* is = s.faulty.pixel(x, y);
+                others += std::any_of(is, is + 3, [](int v) { return v != 0 && v != 255; });
+                ++all;
+            }
+        }
+        if (static_cast<double>(others) > k_mixed_pixels * static_cast<double>(all)) return std::nullopt;
+        change_values(s, made, [](float value) -> std::uint8_t { return value >= 1 ? 255 : 0; });
+        for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
+            for (std::int32_t x = 0; x < made.width; ++x) {
+                if (is_kept(x, y)) std::copy_n(s.bytes.pixel(x, y), 3, made.pixel(x, y));
+            }
+        });
+        return "";
+    };
+}
+
 PictureFault recolored() {
     return [](const PictureSource& s, BytePicture& made) -> Detail {
         const std::optional<Pair> pair = commonest_change(s);
@@ -252,7 +288,8 @@ PictureFault recolored() {
         for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
             for (std::int32_t x = 0; x < made.width; ++x) {
                 const std::uint8_t* was = s.bytes.pixel(x, y);
-                const bool is_changed = std::equal(was, was + 3, colors.begin());
+                const bool is_changed =
+                    std::equal(was, was + 3, colors.begin()) && may_be_background(s, x, y);
                 std::copy_n(is_changed ? &colors[3] : was, 3, made.pixel(x, y));
             }
         });

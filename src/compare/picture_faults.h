@@ -19,6 +19,8 @@ struct PictureSource {
     const Area& fit;              ///< where what is fitted to `faulty` is fitted
     const Rows& rows;             ///< to make
     bool unclamped = false;       ///< the reference comes from the scene
+    /// One mark per pixel of the reference: whether the scene's camera sees no shape there. Null: unknown.
+    const std::vector<bool>* background = nullptr;
 };
 
 /// Makes these rows of `made`, a picture of the reference's size, as they would be with the fault. Nothing if
@@ -63,6 +65,9 @@ PictureFault scaled();
 PictureFault raised();
 /// floor(value * scale) as a byte: its lowest eight bits if it wraps, else at most 255.
 PictureFault whole_part(double scale, bool wraps);
+/// Each channel value of surfaces becomes 0 or 1, rounded down, and that of the background, too, or not. Only
+/// if the picture to explain has hardly other values there.
+PictureFault truncated(bool background);
 /// One color is replaced by another: the commonest change of the pixels that differ.
 PictureFault recolored();
 

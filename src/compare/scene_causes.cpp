@@ -156,6 +156,7 @@ std::vector<SceneCause> scene_causes(const Scene& scene) {
     add(lighting_faults());
     add_turned_cosines(scene, causes);
     add_raw_diffuse(scene, causes);
+    add_shown_normals(scene, causes);
     add(light_kind_faults());
     add_area_samples(scene, causes);
     add(tracing_faults());

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/scene_renderer.h"
 
+#include <algorithm>
 #include <array>
 
 #include "compare/render_scene.h"
+#include "compare/shape_shares.h"
 
 namespace glint {
 namespace {
@@ -20,6 +22,16 @@ void name_default_material(Scene& scene) {
         used = true;
     }
     if (used) scene.materials.emplace_back();
+}
+
+void remove_shapes(Scene& scene, std::vector<std::uint32_t> indices) {
+    std::sort(indices.begin(), indices.end());
+    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+    scene.shape_texts = {};  // by index
+    for (auto at = indices.rbegin(); at != indices.rend(); ++at) {
+        scene.shapes.erase(scene.shapes.begin() + *at);
+        if (*at < scene.shape_colors.size()) scene.shape_colors.erase(scene.shape_colors.begin() + *at);
+    }
 }
 
 void drop_shapes(Scene& scene) {
@@ -49,27 +61,36 @@ ByteRule SceneRenderer::rule(const Scene& scene) const {
     return options_.as_floats ? ByteRule{} : scene.conventions.byte_rule();
 }
 
+const std::vector<bool>& SceneRenderer::background(const PixelGrid& grid) const {
+    const auto known = backgrounds_.find(grid.step);
+    if (known != backgrounds_.end()) return known->second;
+    return backgrounds_.emplace(grid.step, background_pixels(*this, grid)).first->second;
+}
+
 bool SceneRenderer::is_cancelled() const { return options_.cancel.is_set(); }
 
 std::optional<RenderedScene> SceneRenderer::render(const FaultyScene& faulty, const PixelGrid& grid) const {
     World world = *world_;
     Scene moved;
-    const bool is_moved = !faulty.spheres.empty() || !faulty.reshape.empty();
+    const bool is_new = !faulty.reshape.empty() || !faulty.missing.empty();
+    const bool is_moved = !faulty.spheres.empty() || is_new;
     if (is_moved && !with_shapes_) return std::nullopt;
     if (is_moved) moved = *with_shapes_;
-    if (!faulty.reshape.empty()) {
-        for (const auto reshape : faulty.reshape) reshape(moved);
-        Result<World> prepared = prepare(moved, {.threads = options_.threads});
-        if (!prepared) return std::nullopt;
-        world = *std::move(prepared);
-    }
+    for (const auto reshape : faulty.reshape) reshape(moved);
     for (const SphereChange& change : faulty.spheres) {
         Sphere& sphere = moved.get<Sphere>()[moved.shapes[change.shape].index];
         sphere.center = sphere.center + change.by;
         sphere.radius = sphere.radius * change.radius_factor;
+        if (is_new) continue;
         const std::array shapes{change.shape};
         const Result<ShapeEdit> edit = edit_shapes(world, moved, shapes);
         if (!edit || *edit == ShapeEdit::none) return std::nullopt;
+    }
+    if (is_new) {
+        remove_shapes(moved, faulty.missing);
+        Result<World> prepared = prepare(moved, {.threads = options_.threads});
+        if (!prepared) return std::nullopt;
+        world = *std::move(prepared);
     }
     Scene shading = faulty.shading;
     set_grid(shading, grid);

@@ -2,6 +2,7 @@
 #pragma once
 // A scene that is rendered many times, each time with another fault.
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -28,12 +29,13 @@ struct SphereChange {
 struct FaultyScene {
     Scene shading;
     std::vector<SphereChange> spheres = {};
+    std::vector<std::uint32_t> missing = {};     ///< into Scene::shapes: not drawn
     std::vector<void (*)(Scene&)> reshape = {};  ///< changes of a scene with shapes
     TracerFault fault = TracerFault::none;
 
-    /// Whether a scene with these shapes, that spheres and reshape do not change, has all faults.
+    /// Whether a scene with these shapes, all of them and unchanged, has all faults.
     bool has_all_in_shading() const {
-        return spheres.empty() && reshape.empty() && fault == TracerFault::none;
+        return spheres.empty() && missing.empty() && reshape.empty() && fault == TracerFault::none;
     }
 };
 
@@ -56,6 +58,8 @@ class SceneRenderer {
     const World& world() const { return *world_; }
     /// Nothing if it cannot be rendered, or the search was cancelled.
     std::optional<RenderedScene> render(const FaultyScene& faulty, const PixelGrid& grid) const;
+    /// background_pixels() of these pixels. Not for several threads at once.
+    const std::vector<bool>& background(const PixelGrid& grid) const;
     bool is_cancelled() const;
     int threads() const { return options_.threads; }
     /// The rule by which a rendered picture becomes the bytes that are compared.
@@ -66,6 +70,7 @@ class SceneRenderer {
     std::optional<Scene> with_shapes_;
     std::optional<World> world_;
     const CauseOptions& options_;
+    mutable std::map<std::int32_t, std::vector<bool>> backgrounds_;  // by the step of the grid
 };
 
 }  // namespace glint

@@ -100,7 +100,11 @@ CauseCandidate SceneSearch::candidate(std::size_t i) const {
         return candidate;
     }
     candidate.make = [compose = cause.compose](const FaultyScene& base, const RenderFaulty& render) {
-        return compose(base.shading, [&](const Scene& scene) { return render({scene, base.spheres}); });
+        return compose(base.shading, [&](const Scene& scene) {
+            FaultyScene changed = base;
+            changed.shading = scene;
+            return render(changed);
+        });
     };
     return candidate;
 }

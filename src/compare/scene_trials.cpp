@@ -9,6 +9,7 @@
 #include "base/memory_limit.h"
 #include "compare/geometry_search.h"
 #include "compare/item_texts.h"
+#include "compare/missing_shapes.h"
 
 namespace glint {
 namespace {
@@ -121,6 +122,12 @@ void SceneTrials::try_geometry(const PixelGrid& grid, const RenderedScene& rende
     const auto shares =
         shares_of_shapes(shapes_of_pixels(renderer_, grid), rendered.bytes, search.search.faulty);
     const auto render = [&](const FaultyScene& scene) { return renderer_.render(scene, grid); };
+    try_missing_shapes(renderer_, shares, render, search.search);
+    const bool is_missing =
+        std::any_of(search.search.found.begin(), search.search.found.end(), [&](const CauseCandidate& c) {
+            return c.cause.name == k_shape_missing && c.left.all <= k_little_left * search.search.whole.all;
+        });
+    if (is_missing) return;
     fit_geometry(geometry_causes(renderer_, shares), grid, renderer_.scene(), render, k_fitted_trials,
                  search.search);
     try_forms(grid, search);

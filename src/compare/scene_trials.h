@@ -23,6 +23,10 @@ class SceneTrials {
 
     /// The scene's own picture, at the reference's size; nothing if it cannot be rendered.
     const std::optional<RenderedScene>& rendered() const { return rendered_; }
+    /// SceneRenderer::background of all pixels.
+    const std::vector<bool>& background() const {
+        return renderer_.background({reference_.width, reference_.height, 1});
+    }
     std::size_t steps() const { return search_ ? search_->size() : 0; }
     bool is_cancelled() const { return renderer_.is_cancelled(); }
 
@@ -30,6 +34,11 @@ class SceneTrials {
     void run(std::vector<Search>& searches, const std::function<void()>& step);
     /// The best pair of causes, if it explains what no single one does.
     std::optional<CausePair> find_pair(Search& search, PairKind kind);
+    /// PairSearch::with_first, of a pair that find_pair() has found.
+    std::optional<CausePair> with_first(const Search& search, const CauseCandidate& first,
+                                        const CausePair& pair) const {
+        return pairs_->with_first(search, first, pair);
+    }
     /// Which shapes show the difference.
     std::string where_text(const Search& search);
 

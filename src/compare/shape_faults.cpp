@@ -19,6 +19,10 @@ void extend(Cylinder& c, double from, double to) {
     c.from = c.from - axis * from;
     c.to = c.to + axis * to;
 }
+void remove_caps(Scene& s) {
+    for_each_cylinder(s, [](Cylinder& c) { c.caps = false; });
+    for (Cone& cone : s.get<Cone>()) cone.caps = false;
+}
 bool always(const Scene&) { return true; }
 
 bool has_part(const Color& c) { return (c.r > 0 && c.r < 1) || (c.g > 0 && c.g < 1) || (c.b > 0 && c.b < 1); }
@@ -57,6 +61,25 @@ constexpr SceneFault k_shapes[] = {
      .explanation = "Cylinders have half of their length: their centre's distance from both ends is half the "
                     "height, not a quarter of it.",
      .reshape = [](Scene& s) { for_each_cylinder(s, [](Cylinder& c) { extend(c, -0.25, -0.25); }); }},
+    {.name = "cylinder-height",
+     .applies = always,
+     .explanation =
+         "Cylinders are twice as long as they should be, at their second end: cut them at the height.",
+     .reshape = [](Scene& s) { for_each_cylinder(s, [](Cylinder& c) { extend(c, 0, 1); }); }},
+    {.name = "cylinder-height",
+     .applies = always,
+     .explanation = "Cylinders are twice as long as they should be, at their first end: cut them there, too.",
+     .reshape = [](Scene& s) { for_each_cylinder(s, [](Cylinder& c) { extend(c, 1, 0); }); }},
+    {.name = "cylinder-height",
+     .applies = always,
+     .explanation =
+         "Cylinders have half of their length, up to the middle: cut them at the height, not at half of it.",
+     .reshape = [](Scene& s) { for_each_cylinder(s, [](Cylinder& c) { extend(c, 0, -0.5); }); }},
+    {.name = "cylinder-height",
+     .applies = always,
+     .explanation = "Cylinders have half of their length, from the middle: cut them at their first end, not "
+                    "half the height after it.",
+     .reshape = [](Scene& s) { for_each_cylinder(s, [](Cylinder& c) { extend(c, -0.5, 0); }); }},
     {.name = "cylinder-unbounded",
      .applies = always,
      .explanation =
@@ -72,11 +95,13 @@ constexpr SceneFault k_shapes[] = {
     {.name = "caps-missing",
      .applies = always,
      .explanation = "The caps of cylinders and cones are missing: test the discs at their ends, too.",
-     .reshape =
-         [](Scene& s) {
-             for_each_cylinder(s, [](Cylinder& c) { c.caps = false; });
-             for (Cone& cone : s.get<Cone>()) cone.caps = false;
-         }},
+     .reshape = remove_caps},
+    {.name = "caps-missing",
+     .applies = [](const Scene& s) { return s.conventions.facing == Facing::open; },
+     .put = [](Scene& s) { s.conventions.facing = Facing::none; },
+     .explanation = "The caps of cylinders and cones are missing, and their inner sides are dark: test the "
+                    "discs at their ends, too.",
+     .reshape = remove_caps},
     {"colors-truncated",
      [](const Scene& s) { return any_material(s, [](const Material& m) { return has_part(m.color); }); },
      [](Scene& s) {

@@ -9,7 +9,12 @@
 
 namespace glint {
 
-std::vector<std::uint32_t> shapes_of_pixels(const SceneRenderer& renderer, const PixelGrid& grid) {
+namespace {
+
+constexpr std::size_t k_rays_at_a_time = 1 << 16;
+
+// Calls add(shape) for every pixel: k_none if the camera sees none there. False if that is not known.
+template <class Add> bool for_each_shape(const SceneRenderer& renderer, const PixelGrid& grid, Add&& add) {
     Scene scene = renderer.scene().shading;
     set_grid(scene, grid);
     const PreparedCamera camera = prepare_camera(scene.camera, scene.settings);
@@ -20,14 +25,31 @@ std::vector<std::uint32_t> shapes_of_pixels(const SceneRenderer& renderer, const
                                                          0.5 - (y + 0.5) / grid.rows());
             rays.push_back({ray.origin, ray.direction});
         }
+        if (rays.size() < k_rays_at_a_time && y + 1 < grid.rows()) continue;
+        const Result<std::vector<RayHit>> hits = nearest_hits(renderer.world(), rays, renderer.threads());
+        if (!hits) return false;
+        for (const RayHit& hit : *hits) add(hit.shape);
+        rays.clear();
     }
-    const Result<std::vector<RayHit>> hits = nearest_hits(renderer.world(), rays, renderer.threads());
+    return true;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> shapes_of_pixels(const SceneRenderer& renderer, const PixelGrid& grid) {
     std::vector<std::uint32_t> shapes;
-    if (hits) {
-        for (const RayHit& hit : *hits) shapes.push_back(hit.shape);
-    }
-    shapes.resize(rays.size(), k_none);
+    for_each_shape(renderer, grid, [&](std::uint32_t shape) { shapes.push_back(shape); });
+    shapes.resize(static_cast<std::size_t>(grid.columns()) * grid.rows(), k_none);
     return shapes;
+}
+
+std::vector<bool> background_pixels(const SceneRenderer& renderer, const PixelGrid& grid) {
+    const std::size_t size = static_cast<std::size_t>(grid.columns()) * grid.rows();
+    std::vector<bool> marks;
+    marks.reserve(size);
+    const bool is_known =
+        for_each_shape(renderer, grid, [&](std::uint32_t shape) { marks.push_back(shape == k_none); });
+    return is_known ? marks : std::vector<bool>(size);
 }
 
 std::vector<ShapeShare> shares_of_shapes(const std::vector<std::uint32_t>& shapes, const BytePicture& a,

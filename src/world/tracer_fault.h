@@ -7,18 +7,21 @@ namespace glint {
 
 enum class TracerFault : std::uint8_t {
     none,
-    light_not_unit,       ///< L has the length of the distance
-    half_not_unit,        ///< H = L + V
-    normal_not_unit,      ///< a sphere's N is P - C
-    normals_reversed,     ///< -N in place of N, for the lighting only
-    reflection_negated,   ///< -R in place of R, in Phong's model
-    specular_times_n_l,   ///< the specular term is multiplied by N.L
-    diffuse_to_power,     ///< (N.L)^n in the diffuse term
-    mirror_into_surface,  ///< mirror rays: D + 2 N (N.D) in place of D - 2 N (N.D)
-    mirror_negated,       ///< mirror rays: 2 N (N.D) - D
-    last_shape,           ///< the hit is that of the last shape in the scene that is hit, not the nearest
-    first_shape,          ///< the same, of the first shape
-    behind_start,         ///< hits with t < 0 count
+    light_not_unit,            ///< L has the length of the distance
+    half_not_unit,             ///< H = L + V
+    normal_not_unit,           ///< a sphere's N is P - C
+    normal_not_unit_anywhere,  ///< the same, and in mirror rays
+    normals_reversed,          ///< -N in place of N, for the lighting only
+    sphere_normals_reversed,   ///< the same, of spheres only
+    eye_everywhere,            ///< Camera::lighting_eye is used in mirrors and glass, too
+    reflection_negated,        ///< -R in place of R, in Phong's model
+    specular_times_n_l,        ///< the specular term is multiplied by N.L
+    diffuse_to_power,          ///< (N.L)^n in the diffuse term
+    mirror_into_surface,       ///< mirror rays: D + 2 N (N.D) in place of D - 2 N (N.D)
+    mirror_negated,            ///< mirror rays: 2 N (N.D) - D
+    last_shape,    ///< the hit is that of the last shape in the scene that is hit, not the nearest
+    first_shape,   ///< the same, of the first shape
+    behind_start,  ///< hits with t < 0 count
 };
 
 constexpr bool is_of_hits(TracerFault fault) { return fault >= TracerFault::last_shape; }

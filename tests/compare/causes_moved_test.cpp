@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Causes whose numbers are fitted by rendering, and what is not sure.
 #include <cmath>
+#include <set>
 
 #include "compare/small_scene.h"
 
@@ -41,6 +42,46 @@ TEST(CausesMoved, AreFittedAndReportedWithObjectAndLine) {
         EXPECT_NE(cause.explanation.find(m.text), std::string::npos) << cause.explanation;
         EXPECT_FALSE(cause.perhaps) << cause.explanation << cause.explained;
     }
+}
+
+TEST(CausesMoved, AShapeThatIsNotDrawn) {
+    const std::string text = replaced(
+        k_scene, "plane \\{", "sphere { center = (0.3, 0.4, 2)  radius = 0.4  material = red }\nplane {");
+    const Scene scene = read_scene(text);
+    const Image right = draw_text(text);
+    const std::string ball = "sphere \"ball\" [^\n]*\n", small = "sphere \\{ center = \\(0.3[^\n]*\n";
+    for (const std::string& shape : {ball, small}) {
+        const std::string without = replaced(text, shape, "");
+        const CauseReport report = *find_causes(draw_text(without), right, &scene);
+        EXPECT_EQ(first_cause(report), "shape-missing") << all_causes(report);
+        EXPECT_FALSE(report.causes[0].perhaps);
+        EXPECT_TRUE(report.then.empty());
+        const bool is_ball = shape == ball;
+        EXPECT_NE(report.causes[0].explanation.find(is_ball ? "Sphere 3 (\"ball\"" : "Sphere 1 (line"),
+                  std::string::npos)
+            << report.causes[0].explanation;
+        const CauseReport dark =
+            *find_causes(draw_text(replaced(without, "ambient  intensity = 0.9", "ambient  intensity = 0")),
+                         right, &scene);
+        ASSERT_EQ(dark.then.size(), 1u) << all_causes(dark);
+        EXPECT_EQ((std::set<std::string>{first_cause(dark), dark.then[0].name}),
+                  (std::set<std::string>{"ambient-missing", "shape-missing"}))
+            << all_causes(dark);
+    }
+    const CauseReport floor = *find_causes(
+        draw_text(replaced(replaced(replaced(text, ball, ""), small, ""), "sphere \\{[^\n]*\n", "")), right,
+        &scene);
+    EXPECT_EQ(first_cause(floor), "shape-missing") << all_causes(floor);
+    EXPECT_NE(floor.causes[0].explanation.find("All shapes of the kind"), std::string::npos)
+        << all_causes(floor);
+}
+
+// A shape that is small is drawn.
+TEST(CausesMoved, ASmallShapeIsNotMissing) {
+    const Scene scene = read_scene(k_scene);
+    const CauseReport report = *find_causes(draw_text(replaced(k_scene, "radius = 0.8", "radius = 0.5")),
+                                            draw_text(k_scene), &scene);
+    EXPECT_EQ(first_cause(report), "shape-scaled") << all_causes(report);
 }
 
 TEST(CausesMoved, MirrorsWhereTheReferenceHasNone) {

@@ -51,20 +51,27 @@ const std::vector<Case>& cases() {
         {"light-vector-not-normalized", {.l_raw = true}, true},
         {"half-vector-not-normalized", {.h_raw = true}, true},
         {"normal-not-normalized", {.n_raw = true}},
+        {"normal-not-normalized", {.n_raw = true, .n_raw_in_mirrors = true}, false, true},
+        {"not-normalized", {.l_raw = true, .v_raw = true}},
         {"normals-reversed", {.n_reversed = true}},
+        {"normals-reversed", {.balls_reversed = true}},
         {"reflection-vector-negated", {.r_negated = true}},
         {"highlight-times-cosine", {.specular_times_cosine = true}},
         {"highlight-times-cosine", {.specular_times_cosine = true}, true},
         {"diffuse-exponent", {.diffuse_to_power = true}},
         {"eye-at-origin", {.v_from_origin = true}},
         {"eye-direction-fixed", {.v_fixed = true}, true},
+        {"eye-at-origin", {.v_from_origin = true, .v_anywhere = true}, false, true},
+        {"eye-direction-fixed", {.v_fixed = true, .v_anywhere = true}, true, true},
         {"shadow-black", {.black_shadow = true}},
+        {"shadow-black", {.no_ambient_in_shadow = true}},
         {"mirror-direction", {.mirror_plus = true}, false, true},
         {"mirror-direction", {.mirror_negated = true}, false, true},
         {"last-shape-hit", {.last_hit = true}},
         {"first-shape-hit", {.first_hit = true}},
         {"hits-behind-camera", {.accepts_behind = true}},
         {"colors-truncated", {.integer_colors = true}},
+        {"colors-truncated", {.integer_sum = true}},
         {"attenuation-added", {.distance_power = 1}},
         {"attenuation-added", {.distance_power = 2}},
         {"aspect-missing", {.x_factor = 0.75}},
@@ -106,10 +113,24 @@ TEST(CausesOfTracers, AreNamedFirst) {
             const Scene read = read_scene(text_of(scene));
             const Result<CauseReport> report =
                 find_causes(picture(scene, mistakes), as_file(draw(read)), &read);
-            EXPECT_TRUE(report && !report->causes.empty()) << c.name;
+            ASSERT_TRUE(report && !report->causes.empty()) << c.name;
             EXPECT_FALSE(report->causes[0].perhaps) << all_causes(report);
             EXPECT_TRUE(is_among_the_best(*report, c.name)) << c.name << "\n" << all_causes(report);
         }
+    }
+}
+
+// V = P is V = -P with R negated. Without highlights nearly as little is left, but then V could not be wrong.
+TEST(CausesOfTracers, ThePairThatWasFoundIsNamed) {
+    for (const double shininess : {4.0, 8.0, 16.0}) {
+        SmallScene scene = row(false, false);
+        for (SmallBall& ball : scene.balls) ball.shininess = shininess;
+        const Scene read = read_scene(text_of(scene));
+        const CauseReport report = *find_causes(picture(scene, {.v_is_p = true}), as_file(draw(read)), &read);
+        EXPECT_EQ(first_cause(report), "reflection-vector-negated") << all_causes(report);
+        ASSERT_EQ(report.then.size(), 1u) << all_causes(report);
+        EXPECT_EQ(report.then[0].name, "eye-at-origin");
+        EXPECT_FALSE(report.then[0].perhaps);
     }
 }
 
@@ -215,10 +236,58 @@ plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.6, 0.6, 0.5)  ambient 
     };
     expect(text(0, 2.4, true), "cylinder-height");
     expect(text(0.9, 1.5, true), "cylinder-height");
+    for (const auto& [lower, upper] : {std::pair{0.6, 3.0}, {-0.6, 1.8}, {0.6, 1.2}, {1.2, 1.8}})
+        expect(text(lower, upper, true), "cylinder-height");
     expect(text(-900, 900, false), "cylinder-unbounded");
     expect(text(0.6, 1.8, false), "caps-missing");
     const CauseReport other = find_causes(draw_text(text(0.6, 1.5, true)), picture, &right).value();
     for (const Cause& cause : other.causes) EXPECT_TRUE(cause.perhaps) << all_causes(other);
+}
+
+// A program that turns no normals draws the inner side of a cylinder without caps dark.
+TEST(CausesOfTracers, CapsThatAreMissingFromAClosedSurface) {
+    const std::string text =
+        "background = (0.2, 0.3, 0.5)\ncamera { position = (1, 5, 8)  look_at = (0, 1, 0)  fov_y = 40 }\n"
+        "light { type = ambient }\nlight { type = point  position = (3, 6, 5)  intensity = 0.7 }\n"
+        "plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.6, 0.6, 0.5)  ambient = 0.2 }\n"
+        "cylinder { from = (0, 0.3, 0)  to = (0, 1.8, 0)  radius = 1  caps = true  color = (0.8, 0.3, 0.2)  "
+        "ambient = 0.2 }\nconventions { facing = open }\nrender { size = 72 x 54 }\n";
+    const Scene right = read_scene(text);
+    const Image picture = as_file(draw(right));
+    const std::string no_caps = replaced(text, "caps = true", "caps = false");
+    for (const std::string& wrong : {no_caps, replaced(no_caps, "facing = open", "facing = none")}) {
+        const CauseReport report = find_causes(draw_text(wrong), picture, &right).value();
+        EXPECT_EQ(first_cause(report), "caps-missing") << all_causes(report);
+        EXPECT_GT(report.causes.at(0).explained, 0.99);
+        EXPECT_FALSE(report.causes[0].perhaps);
+    }
+}
+
+// The half size is the tangent divided by 2, or twice it: not an angle that is halved or doubled.
+TEST(CausesOfTracers, AViewOfHalfTheSize) {
+    for (const auto& make : {table, row}) {
+        for (const double factor : {0.5, 2.0}) {
+            const SmallScene scene = make(false, false);
+            const Scene read = read_scene(text_of(scene));
+            const CauseReport report =
+                *find_causes(picture(scene, {.plane_factor = factor}), as_file(draw(read)), &read);
+            EXPECT_EQ(first_cause(report), "field-of-view-scaled") << factor << all_causes(report);
+            EXPECT_FALSE(report.causes.empty() || report.causes[0].perhaps) << all_causes(report);
+            EXPECT_TRUE(report.then.empty()) << all_causes(report);
+        }
+    }
+}
+
+// Of a fault that is a sum of pictures and one of the kernels, both are in all of these pictures.
+TEST(CausesOfTracers, BlackShadowsAndAnotherFault) {
+    const SmallScene scene = table(false, false);
+    const Scene read = read_scene(text_of(scene));
+    const CauseReport report = *find_causes(
+        picture(scene, {.specular_times_cosine = true, .black_shadow = true}), as_file(draw(read)), &read);
+    ASSERT_EQ(report.then.size(), 1u) << all_causes(report);
+    EXPECT_EQ(first_cause(report), "shadow-black") << all_causes(report);
+    EXPECT_EQ(report.then[0].name, "highlight-times-cosine");
+    EXPECT_FALSE(report.then[0].perhaps);
 }
 
 }  // namespace

@@ -14,6 +14,13 @@ namespace glint::test {
 struct Mistakes {
     bool l_raw = false, h_raw = false, n_raw = false;  ///< not normalised
     bool n_reversed = false, r_negated = false, v_from_origin = false, v_fixed = false;
+    bool v_is_p = false;  ///< P, not the eye's way from P
+    bool v_raw = false;   ///< not normalised
+    /// Also in mirrors: the wrong V, and in their rays, N that is not normalised.
+    bool v_anywhere = false, n_raw_in_mirrors = false;
+    bool balls_reversed = false;  ///< N of balls only
+    bool no_ambient_in_shadow = false;
+    bool integer_sum = false;  ///< the color of a surface is an integer
     bool specular_times_cosine = false, diffuse_to_power = false, black_shadow = false;
     bool mirror_plus = false, mirror_negated = false;
     bool last_hit = false, first_hit = false, accepts_behind = false;
@@ -145,23 +152,30 @@ class SmallTracer {
         Color color = b.color;
         if (m_.integer_colors) color = {whole(color.r), whole(color.g), whole(color.b)};
         const Vec3 normal = is_ball ? (p - b.center) / b.radius : Vec3{0, 1, 0};
-        const Color local = light(p, d, m_.n_raw && is_ball ? p - b.center : normal, b, color, depth);
+        const Color local =
+            light(p, d, m_.n_raw && is_ball ? p - b.center : normal, b, color, depth, is_ball);
         if (b.mirror <= 0 || depth == 3) return local;
-        Vec3 r = d - normal * (2 * dot(normal, d));
+        const Vec3 m = m_.n_raw_in_mirrors && is_ball ? p - b.center : normal;
+        Vec3 r = d - m * (2 * dot(m, d));
         if (m_.mirror_plus) r = d + normal * (2 * dot(normal, d));
         if (m_.mirror_negated) r = -r;
         return local * (1 - b.mirror) + trace(p, r, depth + 1) * b.mirror;
     }
 
-    Color light(Vec3 p, Vec3 d, Vec3 n, const SmallBall& b, Color color, int depth) const {
+    Color light(Vec3 p, Vec3 d, Vec3 n, const SmallBall& b, Color color, int depth, bool is_ball) const {
         Color sum = color * s_.ambient;
         Vec3 v = -d;
-        if (m_.v_from_origin && depth == 0) v = normalize(-p);
-        if (m_.v_fixed && depth == 0) v = {0, 0, 1};
-        if (m_.n_reversed) n = -n;
+        const bool has_eye = depth == 0 || m_.v_anywhere;
+        if (m_.v_from_origin && has_eye) v = normalize(-p);
+        if (m_.v_fixed && has_eye) v = {0, 0, 1};
+        if (m_.v_raw) v = s_.eye - p;
+        if (m_.v_is_p) v = normalize(p);
+        if (m_.n_reversed || (m_.balls_reversed && is_ball)) n = -n;
+        bool is_shadowed = false;
         for (const Vec3& lamp : s_.lamps) {
             if (is_blocked(p, lamp)) {
                 if (m_.black_shadow) return {0, 0, 0};
+                is_shadowed = true;
                 continue;
             }
             const Vec3 to_light = lamp - p;
@@ -181,6 +195,8 @@ class SmallTracer {
             if (m_.specular_times_cosine) shine *= n_l;
             sum = sum + color * (diffuse * strength) + Color{shine, shine, shine} * strength;
         }
+        if (m_.no_ambient_in_shadow && is_shadowed) sum = sum + color * -s_.ambient;
+        if (m_.integer_sum) sum = {whole(sum.r), whole(sum.g), whole(sum.b)};
         return sum;
     }
 

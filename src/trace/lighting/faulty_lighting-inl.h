@@ -8,24 +8,13 @@
 #endif
 
 #include "lighting/phong-inl.h"
+#include "trace/surface/faulty_normals-inl.h"
 #include "trace/surface/material-inl.h"
 #include "trace/surface/surface-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
-
-/// |P - C| of the spheres among a vector of surfaces, 1 of other shapes.
-HWY_INLINE Doubles normal_lengths(const WorldParts& world, const SurfaceBatch& surfaces, int i) {
-    alignas(k_ray_alignment) double lengths[lane_count<double>()];
-    for (int k = 0; k < lane_count<double>(); ++k) {
-        const std::uint32_t slot = surfaces.slot[static_cast<std::size_t>(i + k)];
-        const ShapeClass& shapes = world.geometry->class_of(slot);
-        const bool is_sphere = shapes.kind == ShapeKind::sphere && !shapes.transformed;
-        lengths[k] = is_sphere ? shapes.column(3)[slot - shapes.first] : 1;
-    }
-    return load(lengths);
-}
 
 /// cosines() with the world's fault. to_light: from the surface to the light, of any length. c: without it.
 HWY_INLINE Cosines<Doubles> faulty_cosines(const WorldParts& world, const SurfaceBatch& surfaces, int i,
@@ -38,7 +27,10 @@ HWY_INLINE Cosines<Doubles> faulty_cosines(const WorldParts& world, const Surfac
         case TracerFault::half_not_unit:
             return rules.shading == Shading::blinn_phong ? Cosines<Doubles>{c.n_l, dot(normal, l + v)} : c;
         case TracerFault::normal_not_unit:
+        case TracerFault::normal_not_unit_anywhere:
             return cosines(normal * normal_lengths(world, surfaces, i), l, v, rules);
+        case TracerFault::sphere_normals_reversed:
+            return cosines(normal * normal_signs(world, surfaces, i), l, v, rules);
         case TracerFault::normals_reversed:
             return cosines(-normal, l, v, rules);
         case TracerFault::reflection_negated:

@@ -11,6 +11,7 @@
 #include "trace/record-inl.h"
 #include "trace/secondary/ray_weights-inl.h"
 #include "trace/secondary/secondary_rays-inl.h"
+#include "trace/surface/faulty_normals-inl.h"
 #include "trace/surface/surface-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -169,7 +170,8 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
     const auto reflected = kept(b.reflected, may_start);
     if (any(reflected)) {
         SpawnedRay<Doubles> ray = mirrored_ray(surface, glass, rules);
-        if constexpr (faulty) ray = faulty_mirror_ray(surface, ray, world.fault, rules);
+        if constexpr (faulty)
+            ray = faulty_mirror_ray(surface, ray, normal_lengths(world, surfaces, h), world.fault, rules);
         start(ray);
         if (beer) rays.medium = select(from_inside, own, load(surfaces.medium.data() + h));
         if (hashed) rays.path = child_paths(surfaces, h, false);

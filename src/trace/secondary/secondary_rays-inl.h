@@ -28,13 +28,20 @@ HWY_INLINE SpawnedRay<T> mirrored_ray(const SurfacePoint<T>& s, M glass, const C
     return ray;
 }
 
-/// The mirror ray with a fault. right: without it.
+/// The mirror ray with a fault. right: without it. normal_length: that of the faulty N.
 template <class T>
 HWY_INLINE SpawnedRay<T> faulty_mirror_ray(const SurfacePoint<T>& s, const SpawnedRay<T>& right,
-                                           TracerFault fault, const Conventions& rules) {
-    if (fault == TracerFault::mirror_into_surface)
-        return spawn_ray(s, s.incoming + s.normal * (T(2) * dot(s.normal, s.incoming)), rules);
-    return fault == TracerFault::mirror_negated ? spawn_ray(s, -right.direction, rules) : right;
+                                           T normal_length, TracerFault fault, const Conventions& rules) {
+    switch (fault) {
+        case TracerFault::normal_not_unit_anywhere:
+            return spawn_ray(s, mirrored(-s.incoming, s.normal * normal_length), rules);
+        case TracerFault::mirror_into_surface:
+            return spawn_ray(s, s.incoming + s.normal * (T(2) * dot(s.normal, s.incoming)), rules);
+        case TracerFault::mirror_negated:
+            return spawn_ray(s, -right.direction, rules);
+        default:
+            return right;
+    }
 }
 
 /// The direction of the ray through glass, and the reflected fraction F (Fresnel; 1 for total internal

@@ -86,7 +86,8 @@ inline void locate_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
     std::fill_n(surfaces.slot.begin() + count, k_ray_padding, surfaces.slot[last]);
     if (world.geometry->has_elements())
         std::fill_n(surfaces.element.begin() + count, k_ray_padding, surfaces.element[last]);
-    const bool has_lighting_eye = world.camera.has_lighting_eye && surfaces.generation == 0;
+    const bool has_lighting_eye = world.camera.has_lighting_eye &&
+                                  (surfaces.generation == 0 || world.fault == TracerFault::eye_everywhere);
     const bool by_winding = world.conventions.facing == Facing::winding;
     for (int h = 0; h < count; h += lane_count<double>()) {
         const std::uint32_t* slots = surfaces.slot.data() + h;
