@@ -45,6 +45,9 @@ def unit(v):
 
 WINDING = "".join(f"STri V0 {v} N0 {unit(n)} N1 {unit(m)} N2 {unit(k)} " + texture("0.9 0.5 0.2")
                   for v, n, m, k in FACES)
+# Faces that are lit from behind, with normals to the light.
+BEHIND = "".join(f"STri V0 {x} 0.2 -1.5 V1 {x + 0.8} 2.4 -0.7 V2 {x + 1.8} 0.2 0.3 N0 {n} N1 {n} N2 {n} " + texture("0.3 0.8 0.5")
+                 for x, n in ((-1.8, "-0.8 0 -0.6"), (0.3, "-0.6 0 -0.8")))
 RULES = [
     rule("sphere", BALL),
     rule("orthographic", BALL, projection="Orthographic", zoom=0.2),
@@ -59,6 +62,7 @@ RULES = [
     rule("triangles", "Tri V0 -2 0.2 0 V1 0 2 0.5 V2 -0.5 0.2 -1 " + texture("0.9 0.5 0.2") +
          "STri V0 0.2 0.2 0 V1 0.5 2 0.5 V2 2 0.2 -1 N0 -0.5 0 -1 N1 0 0.5 -1 N2 0.5 0 -1 " + texture("0.2 0.5 0.9")),
     rule("winding", WINDING),
+    rule("light_behind_faces", BEHIND + BALL, head="Directional_Light Direction 1 -0.2 0.1 Color 1 0.9 0.8\n" + FLOOR),
     rule("vertex_array", ARRAY),
     rule("mirrors", BALL + "Sphere Center 0.8 0.9 -0.6 Rad 0.9 " + texture("0.3 0.6 0.9", specular=0.6)),
     rule("trans_orig", BALL + GLASS, mode="Shader_Mode Medium End_Shader_Mode"),
