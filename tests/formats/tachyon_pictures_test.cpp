@@ -47,5 +47,15 @@ TEST(TachyonPictures, MeshesWhoseNormalsAreOnBothSidesHaveNoWarning) {
     EXPECT_GT(middle_of(mesh)[0], 0);
 }
 
+TEST(TachyonPictures, BeyondRaydepthTheBackgroundHasNoFog) {
+    const std::string ring =
+        "Normal 0 0 1 Inner 0 Outer 5 Texture Ambient 0.2 Diffuse 0 Specular 0 Opacity 0.5 "
+        "Color 1 1 1 TexFunc 0\n";
+    EXPECT_EQ(middle_of("Directional_Light Direction 0 0 1 Color 1 1 1\nFog Exp2 Start 2 End 14 Density 0.1 "
+                        "Color 0.5 0 0\nRing Center 0 0 0 " +
+                        ring + "Ring Center 0 0 1 " + ring),
+              (std::array<int, 3>{84, 64, 107}));
+}
+
 }  // namespace
 }  // namespace glint::test
