@@ -60,6 +60,8 @@ Object Reader::read_object() {
             return read_mesh(word);
         case Word::k_mesh2:
             return read_mesh2(word);
+        case Word::k_polygon:
+            return read_polygon(word);
         case Word::k_light_source:
             return read_light(word);
         default:

@@ -3,8 +3,9 @@
 // The reader of POV-Ray's language: directives and macros make a stream of tokens, from which declarations,
 // objects and settings are parsed. One class, in several files: stream.cpp (texts, macros, loops),
 // directives.cpp, conditions.cpp, expressions.cpp, functions.cpp, strings.cpp, values.cpp, textures.cpp,
-// blocks.cpp, objects.cpp, modifiers.cpp, meshes.cpp, lights.cpp, camera.cpp, sky.cpp, settings.cpp;
-// place.cpp, materials.cpp, smooth.cpp, interiors.cpp, glass.cpp and parallel.cpp (to the Scene).
+// blocks.cpp, objects.cpp, modifiers.cpp, meshes.cpp, polygons.cpp, lights.cpp, camera.cpp, sky.cpp,
+// settings.cpp; place.cpp, materials.cpp, smooth.cpp, interiors.cpp, glass.cpp and parallel.cpp (to the
+// Scene).
 #include <functional>
 #include <map>
 #include <optional>
@@ -272,6 +273,10 @@ class Reader {
     void read_faces(Mesh& mesh);
     void read_normal_indices(Mesh& mesh);
     void read_texture_list(Mesh& mesh);
+
+    // polygons.cpp
+    Object read_polygon(const Token& word);
+    void take_outlines(const CountedVector<Vec3>& points, Object& object);
 
     // lights.cpp
     Object read_light(const Token& word);

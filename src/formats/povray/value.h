@@ -118,6 +118,7 @@ enum class ObjectKind : std::uint8_t {
     triangle,
     smooth_triangle,
     mesh,
+    polygon,
     group,
     light,
     refused
@@ -167,7 +168,7 @@ struct Object {
     std::shared_ptr<const Texture> texture;
     std::shared_ptr<const std::array<Vec3, 3>> normals;  ///< of a smooth triangle
     std::shared_ptr<const CountedVector<ObjectPart>> parts;
-    std::shared_ptr<const Mesh> mesh;
+    std::shared_ptr<const Mesh> mesh;  ///< of a polygon: its vertices
     std::shared_ptr<const LightSource> light;
     std::shared_ptr<const Clip> clip;
     std::shared_ptr<const Opaque> interior;
