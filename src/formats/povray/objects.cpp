@@ -231,6 +231,7 @@ Object Reader::read_group(const Token& word) {
         ObjectPart part = read_part();
         if (failed_) return group;
         group.count += part->count;
+        allow_steps(part->count);
         group.depth = std::max(group.depth, part->depth + 1);
         if (group.count > max_shapes()) {
             error(word, fmt::format("more than {} shapes", max_shapes()));

@@ -94,6 +94,7 @@ void Reader::report(const MissingList& missing) {
 void Reader::place(const Object& object) {
     if (failed_) return;
     shapes_ += object.count;
+    allow_steps(object.count);
     if (shapes_ > max_shapes()) {
         return error(object.at, fmt::format("more than {} shapes", max_shapes()));
     }

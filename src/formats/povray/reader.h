@@ -21,7 +21,9 @@
 namespace glint::povray {
 
 // Limits on what a short text can ask for.
-inline constexpr std::uint64_t k_max_steps = 30'000'000;    // tokens read again by loops and macros
+inline constexpr std::uint64_t k_max_steps = 30'000'000;  // tokens read again by loops and macros
+inline constexpr std::uint64_t k_steps_per_shape = 1000;  // more of them for each shape that came of it
+inline constexpr std::uint64_t k_most_steps = 1'000'000'000;
 inline constexpr std::size_t k_max_frames = 500;            // macros and includes within each other
 inline constexpr int k_max_depth = 100;                     // brackets and blocks within each other
 inline constexpr std::uint64_t k_max_elements = 4'000'000;  // of all arrays
@@ -101,6 +103,7 @@ class Reader {
     bool at_frame_end() const { return frames_.back().at >= frames_.back().end; }
     Token take_raw();
     bool spend(std::uint64_t steps = 1);
+    void allow_steps(std::uint64_t shapes);
     bool is_within_memory(const Token& at);
     bool is_marked() const {
         return !marks_.empty() && marks_.back().frames == frames_.size() && marks_.back().braces == braces_;

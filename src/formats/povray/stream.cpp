@@ -51,11 +51,17 @@ bool Reader::spend(std::uint64_t steps) {
         const Frame& frame = frames_.back();
         error(frame.tokens[std::min(frame.at, frame.end)],
               fmt::format(
-                  "more than {} tokens were read again: a loop or a macro does not end, or is too long for "
-                  "glint",
-                  k_max_steps));
+                  "more than {} tokens were read again for {} shapes: a loop or a macro does not end, or "
+                  "computes more than glint follows ({} million tokens, and {} for each shape)",
+                  max_steps_, shapes_, k_max_steps / 1'000'000, k_steps_per_shape));
     }
     return !failed_;
+}
+
+// A long loop that makes shapes is none that does not end.
+void Reader::allow_steps(std::uint64_t shapes) {
+    const std::uint64_t most = k_most_steps + tokens_[text_.file].size();
+    max_steps_ = std::min(max_steps_ + k_steps_per_shape * std::min(shapes, k_most_steps), most);
 }
 
 // Counts what the scene holds. Beyond the budget: an error, and false.
