@@ -358,6 +358,9 @@ class Reader {
     void check_parallel_lights();
     void check_no_reflection();
 
+    // tiny.cpp
+    void check_size();
+
     // glass.cpp
     double glass_of(const Inherited& own) const;
     void check_glass();
