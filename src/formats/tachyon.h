@@ -49,7 +49,6 @@ enum class TachyonLimit : std::uint8_t {
     endless_cylinder,
     box_normals,
     normal_lengths,
-    bent_normals,
     count
 };
 
@@ -69,7 +68,6 @@ struct TachyonState {
     bool has_header = false;            ///< Begin_Scene
     double light_scale = 1;             ///< Rescale_Direct
     std::vector<std::uint32_t> lights;  ///< in Scene::lights, those that light_scale applies to
-    std::uint32_t smooth_triangles = 0, bent_triangles = 0;  ///< bent: normals are on both sides of the face
 
     /// Where each limit was met first.
     struct Place {

@@ -16,10 +16,6 @@ namespace {
 // A weaker highlight, mirror or transparency is left out.
 constexpr double k_min_contribution = 0.001959;
 
-// With a smaller share of bent triangles, or in a few triangles, few pixels differ.
-constexpr double k_bent_share = 0.03;
-constexpr std::uint32_t k_mesh = 8;
-
 constexpr std::string_view k_limit_texts[] = {
     "glint does not render opacity that depends on the angle (Raster3D): it is constant here",
     "the spheres of lights are in the fog here; in Tachyon they are not",
@@ -28,8 +24,6 @@ constexpr std::string_view k_limit_texts[] = {
     "near the edges of a box that is no cube Tachyon takes the normal of a neighbouring face; glint does not",
     ("the normals of this triangle have different lengths: glint interpolates unit normals, Tachyon the "
      "normals as they are"),
-    ("many triangles, this one first, have normals on both sides of their faces: in glint they are partly in "
-     "their own shadow, in Tachyon they are not"),
 };
 static_assert(std::size(k_limit_texts) == static_cast<std::size_t>(TachyonLimit::count));
 
@@ -124,9 +118,6 @@ void finish_tachyon(LoadState& reading) {
     };
     drop(TachyonLimit::box_normals, is_shaded);
     drop(TachyonLimit::normal_lengths, is_shaded);
-    drop(TachyonLimit::bent_normals,
-         is_shaded && state.smooth_triangles >= k_mesh &&
-             state.bent_triangles > k_bent_share * static_cast<double>(state.smooth_triangles));
     drop(TachyonLimit::fogged_light, scene.fog.has_value());
     for (std::size_t i = 0; i < state.limits.size(); ++i) {
         const auto& at = state.limits[i];

@@ -38,7 +38,6 @@ template <class T> void TachyonReader::add(const T& shape, std::uint32_t materia
 }
 
 void TachyonReader::add_smooth(const SmoothTriangle& t, std::uint32_t material) {
-    const Vec3 face = cross(t.vertices[1] - t.vertices[0], t.vertices[2] - t.vertices[0]);
     const auto& n = t.normals;
     if (is_zero(n[0]) || is_zero(n[1]) || is_zero(n[2])) {
         // It would have no light at such a vertex.
@@ -48,12 +47,6 @@ void TachyonReader::add_smooth(const SmoothTriangle& t, std::uint32_t material) 
         return add(Triangle{{t.vertices[0], t.vertices[1], t.vertices[2]}}, material);
     }
     const double squares[] = {dot(n[0], n[0]), dot(n[1], n[1]), dot(n[2], n[2])};
-    ++state_.smooth_triangles;
-    const bool is_front = dot(face, n[0]) > 0;
-    if (is_front != (dot(face, n[1]) > 0) || is_front != (dot(face, n[2]) > 0)) {
-        ++state_.bent_triangles;
-        note_limit(TachyonLimit::bent_normals, object_);
-    }
     if (spread(squares) > 1.04) note_limit(TachyonLimit::normal_lengths, object_);  // by more than 2%
     add(t, material);
 }

@@ -131,7 +131,7 @@ inline void refine(const WorldParts& world, const TileJob& job, TileScratch& s) 
 /// Renders the pixels of a tile. Stops early if the render is cancelled.
 inline void render_adaptive_pixels(const WorldParts& world, const TileJob& job, TileScratch& s) {
     TileRecord* const record = s.record;
-    if (record == nullptr && job.layers == nullptr && !has_gradient(world) &&
+    if (record == nullptr && job.layers == nullptr && is_background_uniform(world) &&
         is_tile_empty(world, with_border(job))) {
         s.counts.camera += static_cast<std::uint64_t>(job.width * job.height);
         if (!job.same_refinement) s.refined.count = 0;

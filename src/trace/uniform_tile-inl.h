@@ -244,9 +244,7 @@ inline bool trace_samples(const WorldParts& world, const TileJob& job, const Pix
             } else {
                 make_camera_rays(world, job, sample, s.rays);
             }
-            if (s.rays.tracked)
-                std::fill_n(s.rays.interiors.begin(), s.rays.count + k_ray_padding,
-                            static_cast<double>(world.interiors.camera));
+            if (s.rays.tracked) set_camera_interiors(world, s.rays);
             if (hashed) hash_pixels(world, job, list, sample, s.pixel_hash);
             s.counts.camera += static_cast<std::uint64_t>(s.rays.count);
             if (is_limited(world)) s.secondary.of_pixel.fill(0);
@@ -254,7 +252,7 @@ inline bool trace_samples(const WorldParts& world, const TileJob& job, const Pix
             s.pixel_sample = sample.number();
             if (record != nullptr) s.record = record->begin(sample.number()) ? record : nullptr;
             if (trace_sample(world, s)) continue;
-            added = n > 1 || has_gradient(world);
+            added = n > 1 || !is_background_uniform(world);
             if (added) add_misses(world, s.rays, s.hits, {0, s.hits.count}, s.film);
         }
     }
@@ -268,7 +266,7 @@ inline bool render_uniform_tile(const WorldParts& world, const TileJob& job, int
     const bool layers = job.layers != nullptr;
     s.first_hits.wanted = layers;
     if (layers) clear_first_hits(s.first_hits);
-    if (!s.needs_every_stage() && !has_gradient(world) && is_tile_empty(world, job)) {
+    if (!s.needs_every_stage() && is_background_uniform(world) && is_tile_empty(world, job)) {
         s.counts.camera += static_cast<std::uint64_t>(n) * static_cast<std::uint64_t>(n) *
                            static_cast<std::uint64_t>(job.width * job.height);
         fill_background(world, job, n);

@@ -2,10 +2,12 @@
 // The objects that contain the camera, for fog that is outside of objects.
 #include "world/interiors.h"
 
+#include <algorithm>
 #include <array>
 #include <span>
 
 #include "geometry/kinds-inl.h"
+#include "math/number.h"
 #include "world/appearance.h"
 #include "world/packed_values-inl.h"
 
@@ -44,7 +46,7 @@ class Contains {
     bool result_ = false;
 };
 
-// What the camera rays start from: a point, or the corners of a rectangle.
+// What the camera rays start from: a point, or a rectangle.
 struct CameraOrigins {
     std::array<Vec3, 4> points;
     std::size_t count = 1;
@@ -55,36 +57,46 @@ struct CameraOrigins {
         count = 4;
     }
     std::span<const Vec3> all() const { return {points.data(), count}; }
+    // Whether the box of the points meets a shape's.
+    bool meet(const PackedGeometry& geometry, std::uint32_t slot) const {
+        for (int a = 0; a < 3; ++a) {
+            double low = k_infinity, high = -k_infinity;
+            for (const Vec3 point : all()) {
+                const double p[] = {point.x, point.y, point.z};
+                low = number::min(low, p[a]);
+                high = number::max(high, p[a]);
+            }
+            if (!(geometry.box_lo[a][slot] <= high && low <= geometry.box_hi[a][slot])) return false;
+        }
+        return true;
+    }
 };
 
-bool is_within_box(const PackedGeometry& geometry, std::uint32_t slot, Vec3 point) {
-    const double p[] = {point.x, point.y, point.z};
-    for (int a = 0; a < 3; ++a) {
-        if (!(geometry.box_lo[a][slot] <= p[a] && p[a] <= geometry.box_hi[a][slot])) return false;
-    }
-    return true;
+bool contains(const ShapeClass& shapes, std::uint32_t slot, Vec3 point) {
+    Contains test(shapes, slot, point);
+    visit_geometry(shapes.kind, shapes.transformed, test);
+    return test.result();
 }
 
-std::uint32_t find_camera_interiors(const WorldParts& parts) {
+void find_camera_interiors(const WorldParts& parts, FogInteriors& found) {
     const PackedGeometry& geometry = *parts.geometry;
     const CameraOrigins origins(parts.camera);
-    std::uint32_t interiors = 0;
     for (const ShapeClass& shapes : geometry.classes) {
         const bool is_space = shapes.kind == ShapeKind::plane;
         for (std::uint32_t item = 0; item < shapes.count; ++item) {
             const std::uint32_t slot = shapes.first + item;
-            if (slot < geometry.boxed && !is_within_box(geometry, slot, origins.points[0])) continue;
+            if (slot < geometry.boxed && !origins.meet(geometry, slot)) continue;
             if (geometry.is_open(geometry.surface_of(slot)) && !is_space) continue;
-            bool contains = true;
-            for (const Vec3 point : origins.all()) {
-                Contains test(shapes, slot, point);
-                if (contains) visit_geometry(shapes.kind, shapes.transformed, test);
-                contains = contains && test.result();
+            std::size_t inside = 0;
+            for (const Vec3 point : origins.all()) inside += contains(shapes, slot, point);
+            // The corners of a rectangle are within a convex shape only if all of it is.
+            if (inside == origins.count) {
+                found.camera ^= interior_word(parts, geometry.surface_of(slot));
+            } else if (inside > 0 || (origins.count > 1 && !is_space)) {
+                found.cutting.push_back(slot);
             }
-            if (contains) interiors ^= interior_word(parts, geometry.surface_of(slot));
         }
     }
-    return interiors;
 }
 
 bool has_glass(const WorldParts& parts) {
@@ -99,8 +111,23 @@ bool has_glass(const WorldParts& parts) {
 void set_interiors(WorldParts& parts) {
     parts.interiors = {};
     if (!parts.fog || parts.conventions.fog_extent != FogExtent::outside_objects) return;
-    parts.interiors.camera = find_camera_interiors(parts);
-    parts.interiors.tracked = parts.interiors.camera != 0 || parts.has_transparency() || has_glass(parts);
+    FogInteriors& found = parts.interiors;
+    find_camera_interiors(parts, found);
+    found.tracked =
+        found.camera != 0 || !found.cutting.empty() || parts.has_transparency() || has_glass(parts);
+}
+
+std::uint32_t camera_interiors_at(const WorldParts& parts, Vec3 origin) {
+    const PackedGeometry& geometry = *parts.geometry;
+    std::uint32_t interiors = parts.interiors.camera;
+    for (const std::uint32_t slot : parts.interiors.cutting) {
+        const auto holds = [&](const ShapeClass& shapes) {
+            return shapes.first <= slot && slot - shapes.first < shapes.count;
+        };
+        const auto shapes = std::find_if(geometry.classes.begin(), geometry.classes.end(), holds);
+        if (contains(*shapes, slot, origin)) interiors ^= interior_word(parts, geometry.surface_of(slot));
+    }
+    return interiors;
 }
 
 }  // namespace glint

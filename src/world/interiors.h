@@ -7,4 +7,7 @@ namespace glint {
 /// Sets parts.interiors from all other parts.
 void set_interiors(WorldParts& parts);
 
+/// The objects that contain a point where a camera ray starts.
+std::uint32_t camera_interiors_at(const WorldParts& parts, Vec3 origin);
+
 }  // namespace glint

@@ -60,7 +60,8 @@ struct AmbientLight {
 /// its object or removes it. Two objects never have the same word; more have the word 0 in one of 2^32 cases.
 struct FogInteriors {
     bool tracked = false;      // rays know theirs: a surface lets light through, or the camera is inside
-    std::uint32_t camera = 0;  // the objects that contain the camera
+    std::uint32_t camera = 0;  // the objects that contain all points where camera rays start
+    std::vector<std::uint32_t> cutting;  // slots of shapes that contain some of them (orthographic cameras)
 };
 
 /// Which surface is hit if a ray hits several at one t, in the order of PackedGeometry::precedes(). `last` is

@@ -58,6 +58,14 @@ constexpr Hostile k_hostile[] = {
 INSTANTIATE_TEST_SUITE_P(Hostile, PovrayMemory, testing::ValuesIn(k_hostile),
                          [](const auto& param) { return std::string(param.param.name); });
 
+TEST(PovrayLimits, LoopsThatMakeShapesMayBeLong) {
+    std::string text = "union {\n#for (I, 1, 40000)\n#local A = 0";
+    for (int i = 0; i < 450; ++i) text += "+1";
+    text += ";\nsphere { I, 0.1 }\n#end }";  // 36 million tokens
+    const Result<Scene> scene = load_text(text, "a.pov", {}, nullptr, "povray");
+    EXPECT_TRUE(scene) << messages(scene);
+}
+
 // Before, some of these took minutes, and others overflowed the stack.
 TEST(PovrayLimits, EndShortTextsThatTakeLong) {
     const std::pair<const char*, const char*> cases[] = {

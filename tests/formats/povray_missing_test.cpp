@@ -26,6 +26,26 @@ TEST(PovRayMissing, PartsOfAnInteriorAreNamedIfItCanBeSeenInto) {
     EXPECT_EQ(said("sphere { 0, 1 pigment { rgb 1 } interior { media { emission 1 } ior 1.5 } }"), "");
 }
 
+TEST(PovRayMissing, TinyScenesAreNamed) {
+    const std::string mirror = " finish { reflection .5 } }\nplane { y, -9 }";
+    EXPECT_NE(said("camera { location -1*z }\nsphere { 0, 0.02" + mirror)
+                  .find("2:1: warning: all shapes are within 0.04 units: POV-Ray's fixed tolerances change "
+                        "the mirrors"),
+              std::string::npos);
+    EXPECT_NE(said("sphere { 5, 0.001 }").find("change the shadows"), std::string::npos);
+    EXPECT_EQ(said("camera { location -1*z }\nsphere { 0, 0.03" + mirror), "");
+    EXPECT_EQ(said("camera { location -1*z }\nsphere { 0, 0.01 } sphere { 1, 0.01" + mirror), "");
+    EXPECT_EQ(said("camera { location -1*z }\nsphere { 0, 0.01 }\nplane { y, -9 }"), "");
+}
+
+TEST(PovRayMissing, ParallelLightsBelowAPolygon) {
+    const std::string light = "light_source { <0, 3, 0>, rgb 1 parallel point_at 0 }\n";
+    EXPECT_NE(said(light + "sphere { 0, 1 } polygon { 4, <0, 4, 0>, <1, 4, 0>, <1, 4, 1>, <0, 4, 1> }")
+                  .find("`parallel`"),
+              std::string::npos);
+    EXPECT_EQ(said(light + "sphere { 0, 1 } polygon { 4, <0, 2, 0>, <1, 2, 0>, <1, 2, 1>, <0, 2, 1> }"), "");
+}
+
 TEST(PovRayMissing, ClearSolidsRefract) {
     const std::string glass = "pigment { rgbt 1 } interior { ior 1.5 } }";
     const Scene scene = povray_scene("sphere { 0, 1 " + glass);

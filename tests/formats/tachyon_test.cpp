@@ -384,10 +384,6 @@ TEST(Tachyon, TheFirstDefinitionOfATextureCounts) {
 }
 
 TEST(Tachyon, LimitsAreNamedOnce) {
-    std::string mesh = DAT_SCENE;
-    for (int i = 0; i < 8; ++i)
-        mesh += "STri V0 0 0 0 V1 1 0 0 V2 0 1 0 N0 0 0 1 N1 0 1 -0.1 N2 0 0 1 " DAT_TEXTURE;
-    expect_dat_warning(mesh, "have normals on both sides of their faces");
     expect_dat_warning(
         DAT_SCENE
         "Sphere Center 0 0 0 Rad 1 Texture Ambient 0 Diffuse 1 Specular 0 Opacity 0.5 TransMode R3D "

@@ -45,6 +45,10 @@ def unit(v):
 
 WINDING = "".join(f"STri V0 {v} N0 {unit(n)} N1 {unit(m)} N2 {unit(k)} " + texture("0.9 0.5 0.2")
                   for v, n, m, k in FACES)
+# Faces that are lit from behind, with normals to the light.
+BEHIND = "".join(f"STri V0 {x} 0.2 -1.5 V1 {x + 0.8} 2.4 -0.7 V2 {x + 1.8} 0.2 0.3 N0 {n} N1 {n} N2 {n} " + texture("0.3 0.8 0.5")
+                 for x, n in ((-1.8, "-0.8 0 -0.6"), (0.3, "-0.6 0 -0.8")))
+FOGGED = "Fog Exp Start 3 End 20 Density 0.12 Color 0.9 0.3 0.2\n"
 RULES = [
     rule("sphere", BALL),
     rule("orthographic", BALL, projection="Orthographic", zoom=0.2),
@@ -59,11 +63,13 @@ RULES = [
     rule("triangles", "Tri V0 -2 0.2 0 V1 0 2 0.5 V2 -0.5 0.2 -1 " + texture("0.9 0.5 0.2") +
          "STri V0 0.2 0.2 0 V1 0.5 2 0.5 V2 2 0.2 -1 N0 -0.5 0 -1 N1 0 0.5 -1 N2 0.5 0 -1 " + texture("0.2 0.5 0.9")),
     rule("winding", WINDING),
+    rule("light_behind_faces", BEHIND + BALL, head="Directional_Light Direction 1 -0.2 0.1 Color 1 0.9 0.8\n" + FLOOR),
     rule("vertex_array", ARRAY),
     rule("mirrors", BALL + "Sphere Center 0.8 0.9 -0.6 Rad 0.9 " + texture("0.3 0.6 0.9", specular=0.6)),
     rule("trans_orig", BALL + GLASS, mode="Shader_Mode Medium End_Shader_Mode"),
     rule("trans_vmd", BALL + GLASS, mode="Shader_Mode Medium Trans_VMD End_Shader_Mode"),
     rule("shadow_filter_off", BALL + GLASS, mode="Shader_Mode Full Shadow_Filter_Off End_Shader_Mode"),
+    rule("limit_in_fog", FOGGED + GLASS + "Sphere Center -1.2 0.8 0 Rad 0.8 " + texture("0.3 0.6 0.9", specular=0.6), depth=2),
     rule("outlines", "Sphere Center -1.2 0.8 0 Rad 0.8 " + texture("0.9 0.5 0.2", outline="Outline 1 Outline_Width 0.4") +
          "Sphere Center 0.8 0.8 -1 Rad 0.8 " + texture("0.3 0.6 0.9", outline="Outline 0.6 Outline_Width 0.95", ambient=0.3) +
          "FCylinder Base -1 0.2 -2 Apex 1 0.5 -2.5 Rad 0.2 " + texture("0.9 0.5 0.2", outline="Outline 0.8 Outline_Width 1")),

@@ -45,6 +45,14 @@ sphere {{ <0.4, 0.6, 6>, 1.5 texture {{ Glow }} }}
 """, "")
 
 
+def pov_orthographic_in_fog(name, objects):
+    """Some rays start below the floor, or in the objects."""
+    rule = pov_in_fog(name, objects)
+    head, rest = rule.peer.split("camera {")[0], rule.peer.split("\nlight_source", 1)[1]
+    rule.peer = head + ("camera { orthographic location <0, 1, -7.5> look_at <0, 0.8, 0> right 6.7*x up 5*y }\nlight_source") + rest
+    return rule
+
+
 # A tetrahedron, one of its sides, and two sheets: corners and faces.
 TETRAHEDRON = "mesh2 {{ vertex_vectors {{ 4, <-2, -0.5, -2>, <2, -0.5, -2>, <0, -0.3, 2>, <0, 2.4, -0.5> }} face_indices {{ {} }} {} }}"
 CLOSED, OPEN = "4, <0, 1, 2>, <0, 1, 3>, <1, 2, 3>, <2, 0, 3>", "1, <0, 1, 3>"
@@ -83,6 +91,7 @@ RULES = [
     pov_in_fog("pov_fog_glass", BALL.format(x=0, z=0, more="pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { ior 1.4 }")),
     pov_in_fog("pov_fog_camera_inside", balls() + "sphere { <0, 3, -8>, 3 texture { Amber } }"),
     pov_in_fog("pov_fog_camera_in_two", balls() + "sphere { <0, 3, -8>, 3 texture { Amber } } box { <-3, 0, -9>, <3, 5.5, -3.5> texture { Clear } }"),
+    pov_orthographic_in_fog("pov_fog_orthographic", balls() + "sphere { <0, 1.8, -7.5>, 0.9 texture { Amber } }"),
     pov_in_fog("pov_fog_sky", balls() + "sphere { 0, 60 texture { Glow } }"),
     pov_in_fog("pov_fog_sky_hollow", balls() + "sphere { 0, 60 texture { Glow } hollow }"),
     pov_in_fog("pov_fog_water", balls() + "plane { y, 0.4 texture { Amber } }"),

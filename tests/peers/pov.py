@@ -66,6 +66,13 @@ RULES = [
     rule("smooth_triangle_sides", FLOOR + "".join(
         f"smooth_triangle {{ <{x}, 0, 0>, {a}, <{x + 1.4}, 0, 0>, {b}, <{x + 0.7}, 1.8, 0>, <0, 0.2, -1> pigment {{ rgb <0.9, 0.6, 0.3> }} }}\n"
         for x, a, b in ((-2, "<-0.4, 0, -1>", "<0.4, 0, -1>"), (-0.4, "<-0.4, 0, 0.2>", "<0.4, 0, -1>"), (1.1, "<-0.4, 0, 1>", "<0.4, 0, 1>")))),
+    rule("functions", "#declare A = 0.4; #declare Wave = function(x, y) { A*sin(3*x)*cos(2*y) + (x > 0)*0.3 } #declare A = 5;\n"
+         "#declare Twice = function { 2*Wave(x, y) + z }\n" + FLOOR + "#for (I, -8, 8) sphere { <I/4, Wave(I/4, 0.3) + 0.5, Twice(I/4, 1, 0.5)>, 0.2 " + SHINE + " } #end\n"),
+    # A concave polygon, one that is not closed, two parts, and one that is not flat and not drawn.
+    rule("polygons", FLOOR + "".join(f"polygon {{ {points} {SHINE} rotate <20, {turn}, 0> translate {at} }}\n" for points, turn, at in (
+        ("6, <-1, -1>, <1, -1>, <0.2, 0>, <1, 1>, <-1, 1>, <-1, -1>", 30, "<-1.4, 0.6, 0>"), ("4, <0, 0>, <1, 0>, <1.3, 1>, <0.2, 1.2>", -40, "<0.4, 1, 0>"),
+        ("8, <0, 0>, <0.6, 0>, <0.3, 0.7>, <0, 0>, <0.8, 0>, <1.4, 0>, <1.1, 0.7>, <0.8, 0>", 10, "<0.2, 0, -0.5>"),
+        ("5, <-2, 2, 0>, <2, 2, 0>, <2, 0, 0.001>, <-2, 0, 0>, <-2, 2, 0>", 0, "z")))),
     # Spellings that POV-Ray takes beside those of its documentation.
     rule("spellings", "declare P = pigment { rgb <0.9, 0.3, 0.2> }\n#declare B = sphere { 0, 0.7 texture { P finish { phong 0.5 } } }\n"
          "#declare M = mesh2 { vertex_vectors { 3, <-2, 0, 1>, <0, 2, 1>, <2, 0, 1> } face_indices { 1, <0, 1, 2> } }\n" + FLOOR +

@@ -50,6 +50,7 @@ Bounds own_bounds(const Object& object) {
             out.add(object.c);
             break;
         case ObjectKind::mesh:
+        case ObjectKind::polygon:
             for (const Vec3& p : object.mesh->vertices) out.add(p);
             break;
         default:

@@ -199,6 +199,8 @@ Numbers Reader::identifier(const Token& name) {
         if (failed_) return {};
         if (const auto* numbers = std::get_if<Numbers>(&value)) return *numbers;
     }
+    if (const auto* held = std::get_if<std::shared_ptr<const Function>>(&value))
+        return call_function(name, *held);
     error(name, fmt::format("expected a number, found {}, {}", describe(name), povray::describe(value)));
     return {};
 }
@@ -249,12 +251,13 @@ Numbers Reader::comparison() {
     }
     Numbers value = expression();
     for (;;) {
-        const char op = peek().kind == TokenKind::symbol ? peek().symbol : '\0';
+        bool is_exact = false;
+        const char op = peek().kind == TokenKind::symbol ? rough_comparison(peek().symbol, is_exact) : '\0';
         if (failed_ || (op != '<' && op != '>' && op != '=' && op != 'l' && op != 'g' && op != 'n'))
             return value;
         take();
         const double a = value.v[0], b = expression().v[0];
-        const bool is_equal = is_false(a - b);
+        const bool is_equal = is_exact ? a == b : is_false(a - b);
         value = op == '<'   ? a < b && !is_equal
                 : op == '>' ? a > b && !is_equal
                 : op == '=' ? is_equal
@@ -299,7 +302,8 @@ bool Reader::begins_number(const Token& token) {
         const Value* value = find_value(token.name);
         if (value == nullptr) return false;
         return std::holds_alternative<Numbers>(*value) ||
-               std::holds_alternative<std::shared_ptr<Array>>(*value);
+               std::holds_alternative<std::shared_ptr<Array>>(*value) ||
+               std::holds_alternative<std::shared_ptr<const Function>>(*value);
     }
     switch (token.word()) {
 #define GLINT_POV_WORD(word) case Word::k_##word:
@@ -331,7 +335,8 @@ std::string_view describe(const Value& value) {
                                                    "a texture",   "a material",
                                                    "an object",   "a camera",
                                                    "a transform", "a macro",
-                                                   "a parameter", "a block that glint does not render"};
+                                                   "a parameter", "a block that glint does not render",
+                                                   "a function"};
     if (const auto* numbers = std::get_if<Numbers>(&value)) {
         return numbers->terms == 1 ? "a number" : numbers->is_color() ? "a color" : "a vector";
     }

@@ -15,7 +15,7 @@ void Reader::read_include(const Token& at) {
     const std::string name(*string());
     // Not by accept(): the token after the file's name must come after the file's own.
     const Frame& frame = frames_.back();
-    if (!has_ahead_ && frame.at < frame.end && tokens_[frame.text][frame.at].is(';')) take_raw();
+    if (!has_ahead_ && frame.at < frame.end && frame.tokens[frame.at].is(';')) take_raw();
     end_value();
     if (failed_) return;
     if (frames_.size() >= k_max_frames) {
@@ -87,6 +87,7 @@ void Reader::open_text(const Token& at, std::uint16_t number) {
     Frame frame;
     frame.kind = FrameKind::include;
     frame.text = number;
+    frame.tokens = tokens_[number].data();
     frame.end = static_cast<std::uint32_t>(tokens_[number].size() - 1);
     frame.conditions = conditions_.size();
     frame.call = at;

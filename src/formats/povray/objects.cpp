@@ -60,6 +60,8 @@ Object Reader::read_object() {
             return read_mesh(word);
         case Word::k_mesh2:
             return read_mesh2(word);
+        case Word::k_polygon:
+            return read_polygon(word);
         case Word::k_light_source:
             return read_light(word);
         default:
@@ -229,6 +231,7 @@ Object Reader::read_group(const Token& word) {
         ObjectPart part = read_part();
         if (failed_) return group;
         group.count += part->count;
+        allow_steps(part->count);
         group.depth = std::max(group.depth, part->depth + 1);
         if (group.count > max_shapes()) {
             error(word, fmt::format("more than {} shapes", max_shapes()));

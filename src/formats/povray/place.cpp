@@ -94,6 +94,7 @@ void Reader::report(const MissingList& missing) {
 void Reader::place(const Object& object) {
     if (failed_) return;
     shapes_ += object.count;
+    allow_steps(object.count);
     if (shapes_ > max_shapes()) {
         return error(object.at, fmt::format("more than {} shapes", max_shapes()));
     }
@@ -202,6 +203,14 @@ void Reader::place_shape(const Object& o, const Inherited& from) {
         case ObjectKind::triangle:
             add(Triangle{{point(o.a), point(o.b), point(o.c)}}, material, nullptr, o.at);
             break;
+        case ObjectKind::polygon: {
+            auto& all = scene_.polygon_vertices;
+            const Polygon polygon{static_cast<std::uint32_t>(all.size()),
+                                  static_cast<std::uint32_t>(o.mesh->vertices.size())};
+            for (const Vec3& p : o.mesh->vertices) all.push_back(point(p));
+            add(polygon, material, nullptr, o.at);
+            break;
+        }
         default: {
             if (has_normals_on_both_sides({o.a, o.b, o.c}, *o.normals)) {
                 warn_once("normals on both sides", o.at,

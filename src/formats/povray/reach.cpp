@@ -47,6 +47,13 @@ std::optional<double> own_reach(const Scene& scene, const Shape& shape, Vec3 d) 
                                 : scene.get<SmoothTriangle>()[shape.index].vertices;
             return std::max({dot(d, v[0]), dot(d, v[1]), dot(d, v[2])});
         }
+        case ShapeKind::polygon: {
+            const Polygon& p = scene.get<Polygon>()[shape.index];
+            double most = -1e300;
+            for (std::uint32_t i = 0; i < p.count; ++i)
+                most = std::max(most, dot(d, scene.polygon_vertices[p.first + i]));
+            return most;
+        }
         default:
             return std::nullopt;
     }

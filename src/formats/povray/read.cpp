@@ -18,6 +18,7 @@ void Reader::read() {
     max_steps_ = k_max_steps + tokens_[text_.file].size();
     Frame frame;
     frame.text = text_.file;
+    frame.tokens = tokens_[text_.file].data();
     frame.end = static_cast<std::uint32_t>(tokens_[text_.file].size() - 1);
     frames_.push_back(std::move(frame));
     declare_numbers();

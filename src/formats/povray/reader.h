@@ -2,9 +2,10 @@
 #pragma once
 // The reader of POV-Ray's language: directives and macros make a stream of tokens, from which declarations,
 // objects and settings are parsed. One class, in several files: stream.cpp (texts, macros, loops),
-// directives.cpp, conditions.cpp, expressions.cpp, functions.cpp, strings.cpp, values.cpp, textures.cpp,
-// blocks.cpp, objects.cpp, modifiers.cpp, meshes.cpp, lights.cpp, camera.cpp, sky.cpp, settings.cpp;
-// place.cpp, materials.cpp, smooth.cpp, interiors.cpp, glass.cpp and parallel.cpp (to the Scene).
+// directives.cpp, conditions.cpp, expressions.cpp, functions.cpp, user_functions.cpp, strings.cpp,
+// values.cpp, textures.cpp, blocks.cpp, objects.cpp, modifiers.cpp, meshes.cpp, polygons.cpp, lights.cpp,
+// camera.cpp, sky.cpp, settings.cpp; place.cpp, materials.cpp, smooth.cpp, interiors.cpp, glass.cpp and
+// parallel.cpp (to the Scene).
 #include <functional>
 #include <map>
 #include <optional>
@@ -20,13 +21,19 @@
 namespace glint::povray {
 
 // Limits on what a short text can ask for.
-inline constexpr std::uint64_t k_max_steps = 30'000'000;    // tokens read again by loops and macros
+inline constexpr std::uint64_t k_max_steps = 30'000'000;  // tokens read again by loops and macros
+inline constexpr std::uint64_t k_steps_per_shape = 1000;  // more of them for each shape that came of it
+inline constexpr std::uint64_t k_most_steps = 1'000'000'000;
 inline constexpr std::size_t k_max_frames = 500;            // macros and includes within each other
 inline constexpr int k_max_depth = 100;                     // brackets and blocks within each other
 inline constexpr std::uint64_t k_max_elements = 4'000'000;  // of all arrays
 inline constexpr std::uint64_t k_max_shapes = 4'000'000;    // more than the text has tokens
 inline constexpr std::uint32_t k_max_includes = 10000;      // and tests of files
 inline constexpr std::size_t k_max_string = 65536;
+
+/// Comparisons of functions are exact: they have symbols of their own.
+char exact_comparison(char symbol);
+char rough_comparison(char symbol, bool& is_exact);
 
 class Reader {
   public:
@@ -43,10 +50,12 @@ class Reader {
     struct Frame {
         FrameKind kind = FrameKind::text;
         std::uint16_t text = 0;
+        const Token* tokens = nullptr;  // also at `end` there is one
         std::uint32_t at = 0, end = 0;
         std::size_t conditions = 0;           // open when it began
         CountedVector<std::uint32_t> locals;  // to be removed at its end
         Token call;                           // of the macro or include
+        std::shared_ptr<const Function> function;
     };
     enum class ConditionKind : std::uint8_t { branch, loop_while, loop_for, choice };
     struct Condition {
@@ -90,10 +99,11 @@ class Reader {
     }
     bool expect(char symbol);
     void fetch();
-    const Token& raw() const { return tokens_[frames_.back().text][frames_.back().at]; }
+    const Token& raw() const { return frames_.back().tokens[frames_.back().at]; }
     bool at_frame_end() const { return frames_.back().at >= frames_.back().end; }
     Token take_raw();
     bool spend(std::uint64_t steps = 1);
+    void allow_steps(std::uint64_t shapes);
     bool is_within_memory(const Token& at);
     bool is_marked() const {
         return !marks_.empty() && marks_.back().frames == frames_.size() && marks_.back().braces == braces_;
@@ -187,6 +197,13 @@ class Reader {
     RenderSettings scene_size(const Token& at);
     std::optional<double> clock() const;
 
+    // user_functions.cpp
+    std::shared_ptr<const Function> read_function(const Token& at);
+    std::uint32_t parameter_name(const Token& token);
+    std::string what_problem(const Token& token);
+    bool take_part(Token& token, const Function& function, const std::vector<std::uint32_t>& axes);
+    Numbers call_function(const Token& name, const std::shared_ptr<const Function>& function);
+
     // strings.cpp
     bool begins_string(const Token& token);
     String string();
@@ -273,6 +290,10 @@ class Reader {
     void read_normal_indices(Mesh& mesh);
     void read_texture_list(Mesh& mesh);
 
+    // polygons.cpp
+    Object read_polygon(const Token& word);
+    void take_outlines(const CountedVector<Vec3>& points, Object& object);
+
     // lights.cpp
     Object read_light(const Token& word);
     void read_looks_like(Object& light);
@@ -336,6 +357,9 @@ class Reader {
     };
     void check_parallel_lights();
     void check_no_reflection();
+
+    // tiny.cpp
+    void check_size();
 
     // glass.cpp
     double glass_of(const Inherited& own) const;

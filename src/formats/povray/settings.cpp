@@ -222,6 +222,7 @@ void Reader::finish_settings() {
     check_no_reflection();
     check_glass();
     check_clips();
+    check_size();
     use_interiors();
     use_gamma();
     const bool is_new = version_.value_or(0) >= 3.7;

@@ -30,7 +30,7 @@ bool begins_block(Word directive) {
 
 void Reader::set_end() {
     const Frame& frame = frames_.back();
-    ahead_ = tokens_[frame.text][std::min<std::size_t>(frame.at, tokens_[frame.text].size() - 1)];
+    ahead_ = frame.tokens[std::min(frame.at, frame.end)];
     ahead_.kind = TokenKind::end;
     has_ahead_ = true;
 }
@@ -39,24 +39,29 @@ bool Reader::spend(std::uint64_t steps) {
     const std::uint64_t before = steps_;
     steps_ += steps;
     if (steps_ >> 16 != before >> 16) {
-        const Token& at = tokens_[frames_.front().text][frames_.front().at];
+        const Token& at = frames_.front().tokens[frames_.front().at];
         if (!reading_.diagnostics.go_on(text_.place, at.offset)) failed_ = true;
     }
     if (steps_ <= max_steps_ && !reading_.memory.is_exceeded()) return !failed_;
     if (reading_.memory.is_exceeded() && !failed_) {
         const Frame& frame = frames_.back();
-        is_within_memory(
-            tokens_[frame.text][std::min<std::size_t>(frame.at, tokens_[frame.text].size() - 1)]);
+        is_within_memory(frame.tokens[std::min(frame.at, frame.end)]);
     }
     if (steps_ > max_steps_ && !failed_) {
         const Frame& frame = frames_.back();
-        error(tokens_[frame.text][std::min<std::size_t>(frame.at, tokens_[frame.text].size() - 1)],
+        error(frame.tokens[std::min(frame.at, frame.end)],
               fmt::format(
-                  "more than {} tokens were read again: a loop or a macro does not end, or is too long for "
-                  "glint",
-                  k_max_steps));
+                  "more than {} tokens were read again for {} shapes: a loop or a macro does not end, or "
+                  "computes more than glint follows ({} million tokens, and {} for each shape)",
+                  max_steps_, shapes_, k_max_steps / 1'000'000, k_steps_per_shape));
     }
     return !failed_;
+}
+
+// A long loop that makes shapes is none that does not end.
+void Reader::allow_steps(std::uint64_t shapes) {
+    const std::uint64_t most = k_most_steps + tokens_[text_.file].size();
+    max_steps_ = std::min(max_steps_ + k_steps_per_shape * std::min(shapes, k_most_steps), most);
 }
 
 // Counts what the scene holds. Beyond the budget: an error, and false.
@@ -78,7 +83,7 @@ void Reader::fetch() {
             leave_frame();
             continue;
         }
-        const Token token = tokens_[frame.text][frame.at];
+        const Token token = frame.tokens[frame.at];
         if (token.kind == TokenKind::directive) {
             if (ends_value(token.directive())) return set_end();
             ++frame.at;
@@ -111,7 +116,7 @@ Token Reader::take_raw() {
         return ahead_;
     }
     spend();
-    return tokens_[frame.text][frame.at++];
+    return frame.tokens[frame.at++];
 }
 
 bool Reader::expect(char symbol) {
@@ -196,7 +201,15 @@ void Reader::call_macro(const Token& name, const Macro& macro) {
         return expected(
             fmt::format("`)` after the {} values of {}()", macro.parameters.size(), names_.name(name.name)));
     }
-    frames_.push_back({FrameKind::macro, macro.text, macro.begin, macro.end, conditions_.size(), {}, name});
+    frames_.push_back({FrameKind::macro,
+                       macro.text,
+                       tokens_[macro.text].data(),
+                       macro.begin,
+                       macro.end,
+                       conditions_.size(),
+                       {},
+                       name,
+                       nullptr});
     for (std::size_t i = 0; i < values.size(); ++i) {
         bind(macro.parameters[i], depth(), std::move(values[i]));
     }
@@ -206,7 +219,7 @@ void Reader::call_macro(const Token& name, const Macro& macro) {
 // condition; it is the next token.
 void Reader::skip_to_branch(bool to_end_only) {
     Frame& frame = frames_.back();
-    const CountedVector<Token>& tokens = tokens_[frame.text];
+    const Token* const tokens = frame.tokens;
     const std::uint32_t from = frame.at;
     std::size_t open = 0;
     for (; frame.at < frame.end; ++frame.at) {
@@ -239,7 +252,7 @@ void Reader::skip_to_branch(bool to_end_only) {
 
 // The index of the `#end` that ends what began before token `at`; `end` if there is none.
 std::uint32_t Reader::find_end(std::uint32_t at, std::uint32_t end) const {
-    const CountedVector<Token>& tokens = tokens_[frames_.back().text];
+    const Token* const tokens = frames_.back().tokens;
     std::size_t open = 0;
     for (; at < end; ++at) {
         const Word word = tokens[at].directive();

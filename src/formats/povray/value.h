@@ -118,6 +118,7 @@ enum class ObjectKind : std::uint8_t {
     triangle,
     smooth_triangle,
     mesh,
+    polygon,
     group,
     light,
     refused
@@ -167,7 +168,7 @@ struct Object {
     std::shared_ptr<const Texture> texture;
     std::shared_ptr<const std::array<Vec3, 3>> normals;  ///< of a smooth triangle
     std::shared_ptr<const CountedVector<ObjectPart>> parts;
-    std::shared_ptr<const Mesh> mesh;
+    std::shared_ptr<const Mesh> mesh;  ///< of a polygon: its vertices
     std::shared_ptr<const LightSource> light;
     std::shared_ptr<const Clip> clip;
     std::shared_ptr<const Opaque> interior;
@@ -209,18 +210,24 @@ struct Reference {
     std::uint32_t depth = 0;
 };
 
+/// A function of numbers: its expression in round brackets, as tokens, and one that ends it.
+struct Function {
+    CountedVector<std::uint32_t> parameters;
+    CountedVector<Token> body;
+    std::string problem;  ///< what glint does not evaluate; else empty
+};
+
 struct MaterialValue {
     std::shared_ptr<const Texture> texture;
     std::shared_ptr<const Opaque> interior;
     MissingList missing;
 };
 
-using Value =
-    std::variant<std::monostate, Numbers, String, std::shared_ptr<Array>, std::shared_ptr<const Pigment>,
-                 std::shared_ptr<const Finish>, std::shared_ptr<const Texture>,
-                 std::shared_ptr<const MaterialValue>, std::shared_ptr<const Object>,
-                 std::shared_ptr<const CameraItems>, std::shared_ptr<const Affine>,
-                 std::shared_ptr<const Macro>, Reference, std::shared_ptr<const Opaque>>;
+using Value = std::variant<
+    std::monostate, Numbers, String, std::shared_ptr<Array>, std::shared_ptr<const Pigment>,
+    std::shared_ptr<const Finish>, std::shared_ptr<const Texture>, std::shared_ptr<const MaterialValue>,
+    std::shared_ptr<const Object>, std::shared_ptr<const CameraItems>, std::shared_ptr<const Affine>,
+    std::shared_ptr<const Macro>, Reference, std::shared_ptr<const Opaque>, std::shared_ptr<const Function>>;
 
 /// Elements in row order; unset ones are monostate. Copies share it until one of them is modified.
 struct Array {

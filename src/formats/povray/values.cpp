@@ -46,6 +46,9 @@ Value Reader::value() {
         case Word::k_camera:
             take();
             return make_counted<const CameraItems>(read_camera(token));
+        case Word::k_function:
+            take();
+            return read_function(token);
         case Word::k_transform:
             take();
             return make_counted<const Affine>(read_transform_block());
@@ -81,9 +84,14 @@ Value Reader::identifier_value(const Token& name) {
         take();
         if (!peek().is('[')) return whole;
         const Value element = read_element(name, whole);
+        const auto* function = std::get_if<std::shared_ptr<const Function>>(&element);
+        if (function != nullptr && peek().is('(')) return expression_after(call_function(name, *function));
         const auto* numbers = std::get_if<Numbers>(&element);
         return numbers != nullptr ? expression_after(*numbers) : element;
     }
+    const bool is_called =
+        std::holds_alternative<std::shared_ptr<const Function>>(*value) && !at_frame_end() && raw().is('(');
+    if (is_called) return expression();
     Value copy = *value;
     take();
     return copy;

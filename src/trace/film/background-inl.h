@@ -20,6 +20,11 @@ HWY_INLINE bool has_gradient(const WorldParts& world) {
     return world.gradient.has_value() && world.settings.shading != Shading::normals;
 }
 
+/// Whether all camera rays that hit nothing see the same.
+HWY_INLINE bool is_background_uniform(const WorldParts& world) {
+    return !has_gradient(world) && world.interiors.cutting.empty();
+}
+
 /// The color of rays that hit nothing, without gradient.
 HWY_INLINE Color miss_color(const WorldParts& world) {
     return world.settings.shading == Shading::normals ? Color{0, 0, 1} : world.background;

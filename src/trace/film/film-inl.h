@@ -120,15 +120,19 @@ inline void add_misses(const WorldParts& world, const RayBatch& rays, const HitB
         add_seen(rays, ray, opaque, Layer::background, background, film);
         if (seen.visibility < 1) add_seen(rays, ray, missed, Layer::fog, lanes_of(seen.fog), film);
     };
-    if (!rays.tracked) {
+    const bool has_blind = rays.generation > 0 && world.conventions.limit == LimitRule::background;
+    if (!rays.tracked && !has_blind) {
         return for_each_miss(hits, range,
                              [&](int ray, LaneMask<double> missed) HWY_ATTR { add(ray, missed, outside); });
     }
-    const FoggedBackground inside = fogged_background(world, miss_color(world), true);
+    const FoggedBackground unfogged = fogged_background(world, miss_color(world), true);
     for_each_miss(hits, range, [&](int ray, LaneMask<double> missed) HWY_ATTR {
-        const auto in = missed && load(rays.interiors.data() + ray) > Doubles(0);
+        auto in = first_lanes<double>(0);
+        if (rays.tracked) in = load(rays.interiors.data() + ray) > Doubles(0);
+        if (has_blind) in = in || load(rays.t_min.data() + ray) >= Doubles(k_blind_t_min);
+        in = missed && in;
         const auto out = and_not(missed, in);
-        if (any(in)) add(ray, in, inside);
+        if (any(in)) add(ray, in, unfogged);
         if (any(out)) add(ray, out, outside);
     });
 }

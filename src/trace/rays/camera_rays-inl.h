@@ -8,9 +8,12 @@
 #define GLINT_TRACE_CAMERA_RAYS_INL_H_
 #endif
 
+#include <algorithm>
+
 #include "simd/sample_hash-inl.h"
 #include "simd/vec3-inl.h"
 #include "trace/tile.h"
+#include "world/interiors.h"
 #include "world/world.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -166,6 +169,17 @@ inline void make_listed_camera_rays(const WorldParts& world, const PixelList& pi
         store_camera_rays(world, lanes_of(camera.right) * x + lanes_of(camera.up) * y, to, p);
     }
     end_camera_rays(pixels.count, rays);
+}
+
+/// Sets the objects that camera rays are inside.
+inline void set_camera_interiors(const WorldParts& world, RayBatch& rays) {
+    std::fill_n(rays.interiors.begin(), rays.count + k_ray_padding,
+                static_cast<double>(world.interiors.camera));
+    if (world.interiors.cutting.empty()) return;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(rays.count); ++i) {
+        const Vec3 origin{rays.origin[0][i], rays.origin[1][i], rays.origin[2][i]};
+        rays.interiors[i] = static_cast<double>(camera_interiors_at(world, origin));
+    }
 }
 
 }  // namespace HWY_NAMESPACE

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scenes so small that POV-Ray's fixed tolerances show.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "formats/povray/reach.h"
+#include "formats/povray/reader.h"
+
+namespace glint::povray {
+namespace {
+
+// Measured with four spheres on a box: of 0.08 units, with mirrors, 99.9% of the pixels are equal, of
+// 0.04 99.5%, of 0.02 97%; without mirrors, of 0.008 99.7%, of 0.002 98%.
+constexpr double k_least_with_mirrors = 0.05, k_least = 0.005;
+
+// The longest side of the box around all shapes but planes, or a number above `limit`; nothing without
+// shapes.
+std::optional<double> size_of(const Scene& scene, double limit) {
+    const Vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    double most[3], least[3];
+    std::fill_n(most, 3, -1e300);
+    std::fill_n(least, 3, 1e300);
+    double size = -1;
+    for (const Shape& shape : scene.shapes) {
+        for (int i = 0; i < 3; ++i) {
+            const auto high = reach(scene, shape, axes[i]), low = reach(scene, shape, -axes[i]);
+            if (!high || !low) continue;
+            most[i] = std::max(most[i], *high);
+            least[i] = std::min(least[i], -*low);
+            size = std::max(size, most[i] - least[i]);
+        }
+        if (size > limit) return size;
+    }
+    return size < 0 ? std::nullopt : std::optional(size);
+}
+
+}  // namespace
+
+void Reader::check_size() {
+    const auto reflects = [](const Material& m) { return m.mirror > 0 || m.mirror_min > 0; };
+    const bool has_mirrors = std::any_of(scene_.materials.begin(), scene_.materials.end(), reflects);
+    const double limit = has_mirrors ? k_least_with_mirrors : k_least;
+    const auto size = size_of(scene_, limit);
+    if (!size || *size >= limit) return;
+    const Token at = camera_ ? camera_->at : tokens_[text_.file].front();
+    warn(at, fmt::format("all shapes are within {:.2g} units: POV-Ray's fixed tolerances change {} of scenes "
+                         "below {} units, and "
+                         "the picture will differ; scale the scene up to compare",
+                         *size, has_mirrors ? "the mirrors" : "the shadows", limit));
+}
+
+}  // namespace glint::povray
