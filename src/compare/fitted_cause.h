@@ -20,6 +20,7 @@ struct FittedCause {
     std::function<std::string(std::span<const double>, bool about)> text;
     double least = 0.85;             ///< CauseCandidate::least
     std::vector<double> start = {};  ///< of the numbers; zeros if it is empty
+    bool starts_far = false;         ///< `start` is another picture than the scene's
     /// If the cause has more forms than its numbers say: those that begin where these numbers are fitted. The
     /// nearest of them is fitted next.
     std::function<std::vector<FittedCause>(std::span<const double>)> refined = {};

@@ -23,7 +23,7 @@ constexpr double k_light_unit = 0.02, k_camera_unit = 0.01, k_sphere_unit = 0.05
 constexpr double k_axis_unit = 0.02;                                               // of the unit axis
 constexpr double k_view_unit = 0.01, k_color_unit = 0.05;
 constexpr double k_widest_start = 150;  // from which the field of view is fitted
-constexpr double k_said = 0.05;      // a part of a way that is worth a word
+constexpr double k_said = 0.05;         // a part of a way that is worth a word
 
 Vec3 vec_of(Values v) { return {v[0], v[1], v[2]}; }
 
@@ -161,7 +161,8 @@ void add_view(const Scene& scene, std::vector<FittedCause>& causes) {
                            : fmt::format("The viewport is {:.3g} times as large as in the reference.",
                                          1 + v[0]);
             }};
-        if (start != 1) cause.start = {(start - 1) * (has_angle ? camera.fov_degrees : 1)};
+        cause.starts_far = start != 1;
+        if (cause.starts_far) cause.start = {(start - 1) * (has_angle ? camera.fov_degrees : 1)};
         causes.push_back(std::move(cause));
     }
 }

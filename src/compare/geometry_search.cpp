@@ -22,7 +22,7 @@ class GeometryFit {
 
     // ParameterFit::promise. at_base: without the cause.
     double promise(const FittedCause& cause, const RenderedScene& at_base) const {
-        if (cause.start.empty()) return fitter_.promise(problem_of(cause), at_base.image.rgb);
+        if (!cause.starts_far) return fitter_.promise(problem_of(cause), at_base.image.rgb);
         const std::optional<RenderedScene> at_start = render_with(cause, cause.start);
         if (!at_start) return 0;
         // Of the difference without the cause: the start may remove it, too, or be far from the picture.
