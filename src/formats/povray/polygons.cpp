@@ -10,6 +10,7 @@
 
 #include "formats/povray/reader.h"
 #include "math/number.h"
+#include "math/transform.h"
 
 namespace glint::povray {
 namespace {
