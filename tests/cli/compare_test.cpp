@@ -106,11 +106,14 @@ TEST_F(Compare, SaysWhatNoCauseExplains) {
     EXPECT_TRUE(contains(r.out, "The picture is one color throughout, (255, 255, 255): ")) << r.out;
     const Finished drawn = compare({"none.png", "right.png", "--scene", "a.cgfs"});
     EXPECT_TRUE(contains(drawn.out, "\n  Of the causes the nearest, ")) << drawn.out;
-    const auto json = nlohmann::json::parse(compare({"dark.png", "right.png", "--json"}).out);
+    EXPECT_TRUE(contains(compare({"dark.png", "right.png"}).out,
+                         "Nothing classic explains the difference: none explains any of it"));
+    draw("both.png", {"--no-shadows", "--convention", "gamma=1.3"});
+    const auto json = nlohmann::json::parse(compare({"both.png", "right.png", "--json"}).out);
     EXPECT_EQ(json["diagnosis"]["remark"], nullptr);
     EXPECT_EQ(json["diagnosis"]["causes"].size(), 0u);
     const double share = json["diagnosis"]["nearest"]["explained"];
-    EXPECT_TRUE(contains(compare({"dark.png", "right.png"}).out,
+    EXPECT_TRUE(contains(compare({"both.png", "right.png"}).out,
                          "Nothing classic explains the difference: the nearest, "))
         << share;
 }
