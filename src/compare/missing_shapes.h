@@ -10,12 +10,17 @@ namespace glint {
 
 inline constexpr const char* k_shape_missing = "shape-missing";
 
-/// The causes that leave out a shape that shows much of the difference, or all shapes of its kind.
-std::vector<CauseCandidate> missing_shapes(const SceneRenderer& renderer,
-                                           const std::vector<ShapeShare>& shares);
+/// A rendered picture, the shape that each of its pixels shows, and the shapes' parts of the difference.
+struct SeenShapes {
+    const std::vector<std::uint32_t>& of_pixels;
+    const std::vector<ShapeShare>& shares;
+    const BytePicture& rendered;
+};
 
-/// Tries them, on a scene that may have a fault already.
-void try_missing_shapes(const SceneRenderer& renderer, const std::vector<ShapeShare>& shares,
+/// Tries the causes that leave out a shape that shows much of the difference, or all shapes of its kind, on
+/// a scene that may have a fault already. A shape that cannot be seen, for example a black one before a
+/// black background, is not said to be missing, although its shadow may be.
+void try_missing_shapes(const SceneRenderer& renderer, const SeenShapes& seen,
                         const std::function<std::optional<RenderedScene>(const FaultyScene&)>& render,
                         Search& search);
 

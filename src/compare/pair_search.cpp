@@ -103,9 +103,9 @@ void PairSearch::try_geometry(const CauseCandidate& other, Trial& trial) const {
     };
     const std::optional<RenderedScene> rendered = render_with(renderer_.scene());
     if (!rendered) return;
-    const auto shares =
-        shares_of_shapes(shapes_of_pixels(renderer_, coarse_), rendered->bytes, second.faulty);
-    try_missing_shapes(renderer_, shares, render_with, second);
+    const auto shapes = shapes_of_pixels(renderer_, coarse_);
+    const auto shares = shares_of_shapes(shapes, rendered->bytes, second.faulty);
+    try_missing_shapes(renderer_, {shapes, shares, rendered->bytes}, render_with, second);
     fit_geometry(geometry_causes(renderer_, shares), coarse_, renderer_.scene(), render_with, 2, second);
     for (CauseCandidate& before : best_of(second, 1)) {
         CauseCandidate after = other;

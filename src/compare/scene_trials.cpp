@@ -119,10 +119,10 @@ void SceneTrials::run_on(const PixelGrid& grid, std::vector<GridSearch>& searche
 
 void SceneTrials::try_geometry(const PixelGrid& grid, const RenderedScene& rendered,
                                GridSearch& search) const {
-    const auto shares =
-        shares_of_shapes(shapes_of_pixels(renderer_, grid), rendered.bytes, search.search.faulty);
+    const auto shapes = shapes_of_pixels(renderer_, grid);
+    const auto shares = shares_of_shapes(shapes, rendered.bytes, search.search.faulty);
     const auto render = [&](const FaultyScene& scene) { return renderer_.render(scene, grid); };
-    try_missing_shapes(renderer_, shares, render, search.search);
+    try_missing_shapes(renderer_, {shapes, shares, rendered.bytes}, render, search.search);
     const bool is_missing =
         std::any_of(search.search.found.begin(), search.search.found.end(), [&](const CauseCandidate& c) {
             return c.cause.name == k_shape_missing && c.left.all <= k_little_left * search.search.whole.all;

@@ -84,6 +84,23 @@ TEST(CausesMoved, ASmallShapeIsNotMissing) {
     EXPECT_EQ(first_cause(report), "shape-scaled") << all_causes(report);
 }
 
+// A lid under the lamp that is nearly as black as the background. Leaving it out explains 88% of the
+// difference, by its shadow; but it is drawn, and only its shadow is missing.
+TEST(CausesMoved, AShapeThatIsNotSeenIsNotMissing) {
+    const std::string
+        lid = "plane { point = (0, 4.5, 0)  normal = (0, 1, 0)  color = (0.01, 0.01, 0.01)  diffuse = 0 ",
+        balls =
+            "sphere { center = (-0.2, 1.6, 1.7)  radius = 0.35  material = red }\n"
+            "sphere { center = (-1.2, 2.8, 1.9)  radius = 0.55  material = red }\n",
+        dark = replaced(k_scene, "background = [^\n]*\n", ""),
+        text = replaced(dark, "plane \\{[^\n]*\n", lid + "ambient = 0 }\n" + balls),
+        faulty = replaced(dark, "plane \\{[^\n]*\n", lid + "ambient = 0.9  casts_shadow = false }\n" + balls);
+    const Scene scene = read_scene(text);
+    const CauseReport report = *find_causes(draw_text(faulty), draw_text(text), &scene);
+    ASSERT_FALSE(report.causes.empty());
+    for (const Cause& cause : report.causes) EXPECT_NE(cause.name, "shape-missing") << all_causes(report);
+}
+
 TEST(CausesMoved, MirrorsWhereTheReferenceHasNone) {
     const std::string plain = replaced(k_scene, "reflections = 2", "reflections = 0");
     const Scene scene = read_scene(plain);
