@@ -7,6 +7,12 @@
 namespace glint::test {
 namespace {
 
+#if defined(GLINT_SANITIZED)
+constexpr const char* k_size = "size=20x15 aa=1";
+#else
+constexpr const char* k_size = "size=40x30 aa=1";
+#endif
+
 World made(const Result<World>& result) {
     EXPECT_TRUE(result.has_value()) << to_string(result);
     return result.value_or(World());
@@ -163,7 +169,7 @@ const Change k_changes[] = {
 class ChangedWorld : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(ChangedWorld, EqualsTheWorldOfTheChangedScene) {
-    const auto scene = test::load_file(GetParam(), "size=40x30 aa=1");
+    const auto scene = test::load_file(GetParam(), k_size);
     ASSERT_TRUE(scene);
     const World world = prepared(*scene);
     for (const Change& change : k_changes) {
@@ -178,7 +184,7 @@ TEST_P(ChangedWorld, EqualsTheWorldOfTheChangedScene) {
 }
 
 TEST_P(ChangedWorld, AppliesSuccessiveChanges) {
-    auto scene = test::load_file(GetParam(), "size=40x30 aa=1");
+    auto scene = test::load_file(GetParam(), k_size);
     ASSERT_TRUE(scene);
     World world = prepared(*scene);
     for (const Change& change : k_changes) {
