@@ -114,5 +114,25 @@ TEST(Stages, AreReadFromSignatures) {
     EXPECT_EQ(listed_stages("| `mix` | `a-inl.h` | RayBatch | HitBatch |\n"), stages);
 }
 
+// The table of docs/reading_the_code.md, and the breakpoints of tools/one_pixel.gdb.
+TEST(ReadingTheCode, NamesFunctionsThatExist) {
+    const std::string document = read_project_file("docs/reading_the_code.md");
+    static const std::regex row(R"(\n\| \d+ \| `([^`]+)` \| `(\w+)` \|)");
+    std::size_t rows = 0;
+    for (std::sregex_iterator i(document.begin(), document.end(), row), end; i != end; ++i, ++rows) {
+        const std::string file = read_project_file((*i)[1]), function = (*i)[2];
+        EXPECT_TRUE(std::regex_search(file, std::regex("\\n[^/\n]*\\b" + function + "\\([^;]*\\{\n")))
+            << (*i)[1] << " defines no " << function;
+    }
+    EXPECT_EQ(rows, 12u);
+    const std::string script = read_project_file("tools/one_pixel.gdb");
+    const Stages declared = declared_stages();
+    static const std::regex stop(R"(\nscalar_stage (\w+))");
+    std::size_t stops = 0;
+    for (std::sregex_iterator i(script.begin(), script.end(), stop), end; i != end; ++i, ++stops)
+        EXPECT_TRUE(declared.contains((*i)[1])) << (*i)[1];
+    EXPECT_GE(stops, 8u);
+}
+
 }  // namespace
 }  // namespace glint::test
