@@ -21,12 +21,12 @@
 #include "cli/progress.h"
 #include "cli/render_or_fail.h"
 #include "cli/scene_option.h"
-#include "cli/strip_file.h"
 #include "cli/text.h"
 #include "cli/validators.h"
 #include "cli/vary.h"
 #include "compare/find_stored.h"
 #include "image/levels.h"
+#include "output/strip_writer.h"
 
 namespace glint::cli {
 namespace {
@@ -71,7 +71,7 @@ bool passes(const CompareArguments& arguments, const PictureDifference& d) {
 void write_difference(const OutputFile& output, const CompareArguments& arguments, const PictureView& a,
                       const PictureView& b, double largest) {
     const DifferenceRows rows(a, b, 0);
-    StripFile file(output, {.threads = 1}, b.width, b.height);
+    StripWriter file(output.begin(), {.threads = 1}, b.width, b.height);
     const std::size_t count = std::size_t{3} * b.width;
     const auto strips = static_cast<std::size_t>(count_strips(b.height));
     struct Memory {

@@ -77,10 +77,8 @@ std::string missing_text(const std::vector<JournalInput>& inputs, const JournalP
 int join_command(const JoinArguments& arguments) {
     const std::vector<JournalInput> inputs = read_journals(arguments.files);
     const JournalHeader& header = inputs.front().journal.header;
-    PictureOutput picture(arguments.output, arguments.numbers, 0, false);
-    picture.set_layers(header.layers);
-    if (has_alpha(header)) picture.set_alpha();
-    picture.set_rule(rule_of(header));
+    const PictureOutput picture(picture_destination(arguments.output, arguments.numbers, false),
+                                contents_of(header), 0);
     const JournalPicture tiles(inputs);
     for (const JournalInput& input : inputs) {
         if (input.journal.damaged)

@@ -118,39 +118,26 @@ void JournalFile::start() {
     if (kept > 0) return;
     write(header_bytes(header_));
     sync();
-    rethrow();
     sync_folder(folder_of(path_));
 }
 
 void JournalFile::write(std::string_view bytes) {
-    while (!bytes.empty() && !failed_) {
+    while (!bytes.empty()) {
         const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
         if (count < 0 && errno == EINTR) continue;
-        if (count < 0) {
-            error_ = errno;
-            failed_ = true;
-        } else {
-            bytes.remove_prefix(static_cast<std::size_t>(count));
-        }
+        if (count < 0) fail(errno);
+        bytes.remove_prefix(static_cast<std::size_t>(count));
     }
 }
 
 void JournalFile::sync() {
-    if (failed_) return;
-    if (::fdatasync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) {  // not all files can
-        error_ = errno;
-        failed_ = true;
-    }
+    if (::fdatasync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail(errno);  // not all can
     synced_ = std::chrono::steady_clock::now();
 }
 
 void JournalFile::append(std::string_view record) {
     write(record);
     if (std::chrono::steady_clock::now() - synced_ >= k_sync_interval) sync();
-}
-
-void JournalFile::rethrow() const {
-    if (failed_) fail(error_);
 }
 
 JournalInput JournalFile::read() const {
@@ -165,7 +152,6 @@ JournalInput JournalFile::read() const {
 
 void JournalFile::move_to(const std::string& target) {
     sync();
-    rethrow();
     if (::rename(path_.c_str(), target.c_str()) != 0) fail(errno);
     unfinished_.reset();
     sync_folder(folder_of(target));

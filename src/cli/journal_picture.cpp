@@ -8,7 +8,7 @@
 
 #include "base/parallel_for.h"
 #include "cli/failure.h"
-#include "cli/strip_file.h"
+#include "output/strip_writer.h"
 
 namespace glint::cli {
 

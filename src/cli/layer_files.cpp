@@ -9,9 +9,9 @@
 #include "base/text.h"
 #include "cli/failure.h"
 #include "cli/light_argument.h"
-#include "cli/strip_file.h"
 #include "cli/text.h"
 #include "image/layer_preview.h"
+#include "output/strip_writer.h"
 
 namespace glint::cli {
 namespace {
@@ -81,10 +81,6 @@ std::vector<Layer> parse_layers(const std::optional<std::string>& aov, const Sce
     return aov ? parse(*aov, scene) : std::vector<Layer>{};
 }
 
-bool has_light_layers(const std::vector<Layer>& layers) {
-    return std::any_of(layers.begin(), layers.end(), is_light_layer);
-}
-
 LayerFiles::LayerFiles(std::vector<Layer> wanted, const std::string& picture, FileFormat format,
                        bool is_stream)
     : wanted_(std::move(wanted)) {
@@ -97,13 +93,6 @@ LayerFiles::LayerFiles(std::vector<Layer> wanted, const std::string& picture, Fi
         std::replace(name.begin(), name.end(), ':', '-');  // Windows and scp give colons a meaning
         files_.emplace_back("--aov", fmt::format("{}.{}{}", base, name, ending));
     }
-}
-
-void LayerFiles::leave_out(Layer layer) {
-    const auto at = std::find(wanted_.begin(), wanted_.end(), layer);
-    if (at == wanted_.end()) return;
-    if (!files_.empty()) files_.erase(files_.begin() + (at - wanted_.begin()));
-    wanted_.erase(at);
 }
 
 double LayerFiles::bytes_a_pixel() const {
@@ -129,7 +118,7 @@ void LayerFiles::write(const JournalPicture& picture, const EncodeOptions& encod
         LayerPreview preview(wanted_[i]);
         if (preview.needs_scan())
             picture.for_each_strip(i + 1, 1, [&](auto, auto values) { preview.scan(values); });
-        StripFile file(files_[i], encoding_of(wanted_[i], encoding), size.width, size.height);
+        StripWriter file(files_[i].begin(), encoding_of(wanted_[i], encoding), size.width, size.height);
         picture.for_each_strip(i + 1, encoding.threads,
                                [&](std::int32_t strip, std::span<const float> values) {
                                    std::vector<float> rgb(3 * values.size() / picture.channels(i + 1));

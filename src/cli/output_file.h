@@ -6,17 +6,9 @@
 #include <span>
 #include <string>
 
-#include "image/strip_encoder.h"
+#include "output/file_in_progress.h"
 
 namespace glint::cli {
-
-/// A file while it is written. All functions throw Failure.
-class FileInProgress : public ByteFile {
-  public:
-    /// Ends the file. If this is not called, there is no file. durable: returns when the bytes are on the
-    /// disk.
-    virtual void commit(bool durable) = 0;
-};
 
 /// The destination of a file's bytes; checked before the work begins.
 class OutputFile {
@@ -36,7 +28,7 @@ class OutputFile {
     void write(std::span<const std::uint8_t> bytes) const;
 
     /// The same in pieces: those of a regular file go to the temporary file, others are kept in memory until
-    /// the end. This object must outlive it.
+    /// the end. This object must outlive it. Its functions throw Failure.
     std::unique_ptr<FileInProgress> begin() const;
 
     /// The regular file that write() replaces, with links followed.

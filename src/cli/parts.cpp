@@ -6,12 +6,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <utility>
 
 #include "base/text.h"
 #include "cli/failure.h"
 #include "cli/picture_output.h"
-#include "trace/film/assemble.h"
 
 namespace glint::cli {
 
@@ -54,28 +52,6 @@ bool has_all_tiles(const std::string& path, const JournalHeader& header) {
     std::sort(numbers.begin(), numbers.end());
     const std::vector<std::uint32_t> wanted = tiles_of_part(header);
     return std::includes(numbers.begin(), numbers.end(), wanted.begin(), wanted.end());
-}
-
-Result<Rendering> render_missing(const World& world, RenderOptions options, JournalFile& journal) {
-    const std::vector<std::uint32_t>& missing = journal.missing();
-    std::atomic<std::size_t> next{0}, done{0};
-    options.next_tile = [&]() -> std::optional<std::uint32_t> {
-        const std::size_t i = next++;
-        if (i >= missing.size()) return std::nullopt;
-        return missing[i];
-    };
-    options.keep_image = false;
-    const auto progress = std::exchange(options.progress, {});
-    options.on_tile = [&](const FinishedTile& tile) {
-        journal.append(record_bytes(tile));
-        const std::size_t there = journal.expected() - missing.size() + ++done;
-        if (progress) progress(static_cast<double>(there) / static_cast<double>(journal.expected()));
-    };
-    options.cancel = &journal.failed();
-    Result<Rendering> result = render(world, options);
-    journal.rethrow();
-    if (result) add_rays(result->rays, journal.rays_before());
-    return result;
 }
 
 }  // namespace glint::cli

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/journal_file.h"
+#include "cli/journal_input.h"
 #include "cli/output_file.h"
 
 namespace glint::cli {
@@ -24,9 +24,5 @@ OutputFile tiles_output(const std::string& path, bool shows);
 
 /// True if the file is a journal of this picture that has all tiles of its part.
 bool has_all_tiles(const std::string& path, const JournalHeader& header);
-
-/// Renders the tiles that the journal lacks, and appends each to it as it is finished. The Rendering has the
-/// rays of all tiles, and no pixels. Throws Failure if the journal cannot be written.
-Result<Rendering> render_missing(const World& world, RenderOptions options, JournalFile& journal);
 
 }  // namespace glint::cli

@@ -31,55 +31,89 @@ FileFormat format_of(const std::string& path, const OutputFile& output, const Nu
     throw Failure(k_usage, fmt::format("--output '{}': glint writes .png, .ppm and .exr, and .tga", path));
 }
 
-EncodeOptions encoding_of(const NumberArguments& numbers, FileFormat format, int threads) {
-    EncodeOptions encoding = encoding_of(numbers, {});
-    encoding.format = format;
+EncodeOptions encoding_of(const PictureDestination& destination, const ByteRule& rule, int threads) {
+    EncodeOptions encoding = encoding_of(destination.numbers, rule);
+    encoding.format = destination.format;
     encoding.threads = threads;
     return encoding;
+}
+
+// Whether the picture has alpha. Throws Failure if the file cannot have it.
+bool check_alpha(const PictureDestination& destination, bool has_alpha) {
+    const bool is_ppm = destination.format == FileFormat::ppm;
+    if (has_alpha && (is_ppm || destination.format == FileFormat::tga))
+        throw Failure(
+            k_usage,
+            fmt::format("--output '{}': {}; write .png or .exr, or render without alpha", destination.path,
+                        is_ppm ? "PPM has no alpha channel" : "glint writes TGA without alpha"));
+    return has_alpha;
+}
+
+// The layers that are written as such.
+std::vector<Layer> layers_but_alpha(const PictureContents& contents) {
+    std::vector<Layer> layers = contents.layers;
+    if (contents.has_alpha) layers.pop_back();
+    return layers;
+}
+
+// Whether the picture of a journal has an alpha channel.
+bool is_with_alpha(const JournalHeader& header) {
+    const std::pair<std::string, std::string> alpha("alpha", "true");
+    return std::find(header.settings.begin(), header.settings.end(), alpha) != header.settings.end() &&
+           !header.layers.empty() && header.layers.back() == Layer::alpha;
+}
+
+// The rule of the scene of a journal.
+ByteRule rule_of(const JournalHeader& header) {
+    Scene scene;
+    for (const auto& [key, value] : header.settings) {
+        const auto index = find_setting(key);
+        if (index && (key == "transfer" || key == "gamma" || key == "rounding"))
+            set_setting(scene, *index, value, {});
+    }
+    return scene.conventions.byte_rule();
 }
 
 }  // namespace
 
 bool is_picture_path(const std::string& path) { return format_of_name(path).has_value(); }
 
-PictureOutput::PictureOutput(const std::string& path, const NumberArguments& numbers, int threads, bool shows)
-    : path_(path),
-      numbers_(numbers),
-      output_("--output", path),
-      encoding_(encoding_of(numbers, format_of(path, output_, numbers), threads)) {
-    if (!output_.is_standard_output()) return;
-    if (shows) throw Failure(k_usage, "--show and the picture cannot both go to standard output");
-    if (is_terminal(STDOUT_FILENO))
-        throw Failure(k_usage, "standard output is a terminal: redirect it to a file, or use --show");
+void put_alpha_last(std::vector<Layer>& layers) {
+    std::erase(layers, Layer::alpha);
+    layers.push_back(Layer::alpha);
 }
 
-void PictureOutput::set_layers(const std::vector<Layer>& layers) {
-    layers_ = LayerFiles(layers, path_, encoding_.format, output_.is_stream());
+PictureDestination picture_destination(const std::string& path, const NumberArguments& numbers, bool shows) {
+    const OutputFile file("--output", path);
+    const FileFormat format = format_of(path, file, numbers);
+    if (file.is_standard_output()) {
+        if (shows) throw Failure(k_usage, "--show and the picture cannot both go to standard output");
+        if (is_terminal(STDOUT_FILENO))
+            throw Failure(k_usage, "standard output is a terminal: redirect it to a file, or use --show");
+    }
+    return {path, file, numbers, format};
 }
 
-void PictureOutput::set_alpha() {
-    if (encoding_.format == FileFormat::ppm || encoding_.format == FileFormat::tga)
-        throw Failure(k_usage,
-                      fmt::format("--output '{}': {}; write .png or .exr, or render without alpha", path_,
-                                  encoding_.format == FileFormat::ppm ? "PPM has no alpha channel"
-                                                                      : "glint writes TGA without alpha"));
-    alpha_ = true;
-    layers_.leave_out(Layer::alpha);  // it is a channel of the picture
+PictureContents contents_of(const JournalHeader& header) {
+    return {header.picture, header.layers, is_with_alpha(header), rule_of(header)};
 }
 
-void PictureOutput::set_rule(const ByteRule& rule) { encoding_.set_rule(encoding_of(numbers_, rule).rule()); }
+PictureOutput::PictureOutput(PictureDestination destination, const PictureContents& contents, int threads)
+    : output_(destination.file),
+      area_(contents.area),
+      alpha_(check_alpha(destination, contents.has_alpha)),
+      encoding_(encoding_of(destination, contents.rule, threads)),
+      layers_(layers_but_alpha(contents), destination.path, destination.format, output_.is_stream()) {}
 
 double PictureOutput::bytes_a_pixel() const {
     return layers_.bytes_a_pixel() + (alpha_ ? 2 * sizeof(float) : 0);
 }
 
-double PictureOutput::memory(std::int32_t width, std::int32_t height) const {
-    return static_cast<double>(width) * static_cast<double>(height) * bytes_a_pixel();
+double PictureOutput::memory() const {
+    return static_cast<double>(area_.width) * static_cast<double>(area_.height) * bytes_a_pixel();
 }
 
-void PictureOutput::check_memory(std::int32_t width, std::int32_t height) const {
-    cli::check_memory(width, height, bytes_a_pixel());
-}
+void PictureOutput::check_memory() const { cli::check_memory(area_.width, area_.height, bytes_a_pixel()); }
 
 double PictureOutput::write(const Rendering& rendering) const {
     const auto start = Clock::now();
@@ -101,34 +135,33 @@ double PictureOutput::write(const Rendering& rendering) const {
 double PictureOutput::write(const JournalPicture& picture) const {
     layers_.write(picture, encoding_);
     const auto start = Clock::now();
-    const Crop& size = picture.header().picture;
     if (encoding_.format == FileFormat::exr && has_layers()) {
         const auto file = output_.begin();
-        const auto encoder = make_parts_encoder(size.width, size.height, layers_.wanted(), *file, alpha_);
+        const auto encoder = make_parts_encoder(area_.width, area_.height, layers_.wanted(), *file, alpha_);
         if (encoder == nullptr) throw Failure(k_bad_input, "this build writes no OpenEXR");
         for (std::size_t part = 0; part <= layers_.wanted().size(); ++part) {
             picture.for_each_strip(part, 1, [&](std::int32_t strip, std::span<const float> values) {
-                const Crop area = strip_area(size, strip);
+                const Crop area = strip_area(area_, strip);
                 const auto rows = part == 0 ? picture_rows(picture, strip, values) : std::vector<float>();
-                encoder->append(part, area.y - size.y, area.height,
+                encoder->append(part, area.y - area_.y, area.height,
                                 rows.empty() ? values.data() : rows.data());
             });
         }
         encoder->finish();
         file->commit(true);
     } else {
-        StripFile file(output_, encoding_, size.width, size.height, alpha_);
+        const auto writer = begin_strips();
         picture.for_each_strip(0, encoding_.threads, [&](std::int32_t strip, std::span<const float> values) {
             const std::vector<float> rows = picture_rows(picture, strip, values);
-            file.put(strip, rows.empty() ? values : std::span<const float>(rows));
+            writer->put(strip, rows.empty() ? values : std::span<const float>(rows));
         });
-        file.finish(true);
+        writer->finish(true);
     }
     return seconds_since(start);
 }
 
-std::unique_ptr<StripFile> PictureOutput::begin_strips(std::int32_t width, std::int32_t height) const {
-    return std::make_unique<StripFile>(output_, encoding_, width, height, alpha_);
+std::unique_ptr<StripWriter> PictureOutput::begin_strips() const {
+    return std::make_unique<StripWriter>(output_.begin(), encoding_, area_.width, area_.height, alpha_);
 }
 
 // The rows of the picture with their alpha, which is the journal's last layer; empty without alpha.
@@ -136,27 +169,6 @@ std::vector<float> PictureOutput::picture_rows(const JournalPicture& picture, st
                                                std::span<const float> rgb) const {
     if (!alpha_) return {};
     return with_alpha(rgb, picture.read_strip(picture.header().layers.size(), strip));
-}
-
-bool has_alpha(const JournalHeader& header) {
-    const std::pair<std::string, std::string> alpha("alpha", "true");
-    return std::find(header.settings.begin(), header.settings.end(), alpha) != header.settings.end() &&
-           !header.layers.empty() && header.layers.back() == Layer::alpha;
-}
-
-ByteRule rule_of(const JournalHeader& header) {
-    Scene scene;
-    for (const auto& [key, value] : header.settings) {
-        const auto index = find_setting(key);
-        if (index && (key == "transfer" || key == "gamma" || key == "rounding"))
-            set_setting(scene, *index, value, {});
-    }
-    return scene.conventions.byte_rule();
-}
-
-void put_alpha_last(std::vector<Layer>& layers) {
-    std::erase(layers, Layer::alpha);
-    layers.push_back(Layer::alpha);
 }
 
 }  // namespace glint::cli

@@ -12,10 +12,11 @@
 #include "cli/half_blocks.h"
 #include "cli/journal_header.h"
 #include "cli/layer_files.h"
+#include "cli/output_plan.h"
 #include "cli/progress.h"
 #include "cli/render_arguments.h"
+#include "cli/render_output.h"
 #include "cli/render_report.h"
-#include "cli/render_target.h"
 #include "cli/submissions.h"
 #include "cli/terminal.h"
 #include "cli/text.h"
@@ -86,17 +87,13 @@ World prepare_scene(RenderArguments& arguments, LoadedScene& loaded) {
 int render_command(RenderArguments& arguments, const RenderHooks& hooks) {
     const auto start = Clock::now();
     check_scenes(arguments.scene);
+    parse_layers(arguments.aov, nullptr);  // wrong names are reported before the scene is read
     RenderOptions options;
-    options.layers = parse_layers(arguments.aov, nullptr);
-    const bool names_lights = has_light_layers(options.layers);
     options.threads = arguments.threads;
     options.isa = arguments.isa;
-    std::optional<RenderTarget> target;
-    std::optional<OutputFile> stats;
+    std::optional<OutputRequest> request;
     if (hooks.is_writer) {
-        target.emplace(arguments);
-        if (!arguments.stats.empty()) stats.emplace("--stats", arguments.stats);
-        if (!names_lights) target->set_layers(options.layers);
+        request = request_output(arguments);
     } else {
         arguments.quiet = true;
     }
@@ -107,46 +104,47 @@ int render_command(RenderArguments& arguments, const RenderHooks& hooks) {
     TextReader disk;
     LoadedScene loaded = load_scene(arguments.scene, hooks.reader != nullptr ? *hooks.reader : disk);
     times.load = seconds_since(start);
-    if (names_lights) options.layers = parse_layers(arguments.aov, &loaded.scene);
-    if (names_lights && target) target->set_layers(options.layers);
-    if (loaded.scene.settings.alpha) {
-        put_alpha_last(options.layers);
-        if (target) target->set_alpha();
-    }
-    if (target) target->set_rule(loaded.scene.conventions.byte_rule());
-    if (hooks.loaded) hooks.loaded();
+    options.layers = parse_layers(arguments.aov, &loaded.scene);
+    if (loaded.scene.settings.alpha) put_alpha_last(options.layers);
     options.crop = crop_of(arguments, loaded.scene.settings);
-    const Crop rendered =
+    const Crop area =
         options.crop ? *options.crop : Crop{loaded.scene.settings.width, loaded.scene.settings.height};
-    if (target) target->check_memory(rendered);
+    std::optional<OutputPlan> plan;
+    if (request) {
+        plan.emplace(plan_output(*std::move(request), arguments, loaded, area, options.layers,
+                                 static_cast<bool>(hooks.render)));
+    }
+    if (hooks.loaded) hooks.loaded();
 
     auto stage = Clock::now();
     const World world = prepare_scene(arguments, loaded);
     times.prepare = seconds_since(stage);
 
-    JournalHeader header;
-    if (hooks.render || target->needs_header(rendered))
-        header = journal_header(arguments.scene, loaded, rendered, options.layers);
-    if (target && !target->begin(rendered, header, static_cast<bool>(hooks.render))) return k_done;
+    if (!plan) {
+        const JournalHeader header = journal_header(arguments.scene, loaded, area, options.layers);
+        const Result<Rendering> helped = hooks.render(world, std::move(options), header, nullptr);
+        if (!helped) throw_failure(helped);
+        return k_done;
+    }
 
+    const std::unique_ptr<RenderOutput> output = open_output(*plan);
+    if (output == nullptr) return k_done;
     stage = Clock::now();
     Rendering result = [&] {
         ProgressBar bar(!arguments.quiet);
         options.progress = [&](double fraction) { bar.update(fraction); };
-        Result<Rendering> rendering = target ? target->render(world, std::move(options), header, hooks)
-                                             : hooks.render(world, std::move(options), header, nullptr);
+        Result<Rendering> rendering = output->render(world, std::move(options), hooks);
         if (!rendering) throw_failure(rendering);
         return *std::move(rendering);
     }();
     times.trace = seconds_since(stage);
-    if (!target) return k_done;
     report_cut_rays(arguments, result.rays);
 
-    times.encode = target->write(result);
-    if (stats) stats->write(bytes_of(stats_text(result, times)));
+    times.encode = output->write(result);
+    if (plan->stats) plan->stats->write(bytes_of(stats_text(result, times)));
     if (arguments.show)
-        fmt::print("{}", half_blocks(result.image, terminal_columns(STDOUT_FILENO), target->rule()));
-    print_result(arguments, target->path(), target->size_text(), result, times, seconds_since(start),
+        fmt::print("{}", half_blocks(result.image, terminal_columns(STDOUT_FILENO), plan->picture->rule()));
+    print_result(arguments, plan->path, plan->size_text(), result, times, seconds_since(start),
                  count_warnings(loaded.warnings));
     return k_done;
 }

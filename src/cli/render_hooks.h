@@ -4,8 +4,9 @@
 #include <functional>
 
 #include "cli/input_file.h"
-#include "cli/journal_file.h"
 #include "glint/glint.h"
+#include "journal/header.h"
+#include "output/tile_sink.h"
 
 namespace glint::cli {
 
@@ -14,9 +15,9 @@ struct RenderHooks {
     std::function<void()> loaded;  ///< called when the scene is loaded
     /// Whether this process writes the picture and prints messages. The others only help to render.
     bool is_writer = true;
-    /// Renders the picture, or the tiles that the journal lacks; the journal may be null. Only the writer's
-    /// result is used.
-    std::function<Result<Rendering>(const World&, RenderOptions, const JournalHeader&, JournalFile*)> render;
+    /// Renders what the sink lacks, as render_into(). Only the writer has a sink, and only its result is
+    /// used.
+    std::function<Result<Rendering>(const World&, RenderOptions, const JournalHeader&, RecordSink*)> render;
 };
 
 }  // namespace glint::cli

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Tiles to processes: each asks rank 0 for tiles while it still has some to render, so that it does not wait.
-#include "cli/journal_file.h"
 #include "glint/glint.h"
 #include "journal/header.h"
+#include "output/tile_sink.h"
 
 namespace glint::mpi {
 
@@ -13,10 +13,10 @@ struct Costs {
     double busy_seconds = 0;  ///< in which tiles were handed out and taken in
 };
 
-/// Rank 0: hands out the tiles that the journal lacks, or all of the picture's, renders some itself, and
-/// puts the picture together. `journal` may be null.
+/// Rank 0: hands out the tiles that the sink lacks, renders some itself, and brings all to the sink. Returns
+/// and throws as render_into().
 Result<Rendering> lead(const World& world, const RenderOptions& options, const JournalHeader& header,
-                       cli::JournalFile* journal, Costs& costs);
+                       RecordSink& sink, Costs& costs);
 
 /// The others: render what rank 0 hands out until there is no more. The result is empty. Fails if this
 /// process would render another picture than rank 0.

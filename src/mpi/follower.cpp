@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // All ranks but 0: render what rank 0 hands out.
 #include <algorithm>
+#include <mutex>
 #include <utility>
 
 #include "base/status.h"
@@ -18,7 +19,9 @@ class Follower {
     Follower(const World& world, const RenderOptions& options, bool with_checksums)
         : with_checksums_(with_checksums),
           supply_(options.threads),
-          renderer_(world, own_options(options), desk_, [this] { exchange(); }) {}
+          renderer_(
+              world, options, desk_, [this](const FinishedTile& tile) { receive(tile); },
+              [this] { exchange(); }) {}
 
     Result<Rendering> run() {
         do {
@@ -29,16 +32,20 @@ class Follower {
     }
 
   private:
-    RenderOptions own_options(RenderOptions options) {
-        options.on_tile = [this](const FinishedTile& tile) {
-            records_.add(with_checksums_ ? record_bytes(tile) : unchecked_record_bytes(tile));
-            supply_.count_finished();
-        };
-        return options;
+    void receive(const FinishedTile& tile) {
+        std::string record = with_checksums_ ? record_bytes(tile) : unchecked_record_bytes(tile);
+        const std::scoped_lock lock(mutex_);
+        records_.push_back(std::move(record));
+        supply_.count_finished();
+    }
+
+    std::vector<std::string> take_records() {
+        const std::scoped_lock lock(mutex_);
+        return std::exchange(records_, {});
     }
 
     void exchange() {
-        for (std::string& record : records_.take()) outbox_.send(0, Tag::record, std::move(record));
+        for (std::string& record : take_records()) outbox_.send(0, Tag::record, std::move(record));
         const Demand demand = supply_.demand(desk_.waiting());
         if (!asked_ && !closed_ && demand.waiting < std::min(demand.ahead, limit_)) {
             outbox_.send(0, Tag::wanted,
@@ -60,7 +67,8 @@ class Follower {
 
     const bool with_checksums_;
     Supply supply_;
-    Records records_;
+    std::mutex mutex_;
+    std::vector<std::string> records_;  // that are to leave
     Inbox inbox_;
     Outbox outbox_;
     std::size_t limit_ = k_max_ahead;

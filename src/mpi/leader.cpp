@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "base/status.h"
-#include "journal/journal.h"
 #include "mpi/distribute.h"
 #include "mpi/messages.h"
 #include "mpi/renderer.h"
@@ -19,62 +18,53 @@ using Clock = std::chrono::steady_clock;
 // Between two looks for messages when this process renders nothing more.
 constexpr std::chrono::microseconds k_pause_at_end{100};
 
-std::vector<std::uint32_t> all_tiles(const Crop& picture) {
-    std::vector<std::uint32_t> tiles(count_tiles(picture));
-    for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i] = static_cast<std::uint32_t>(i);
-    return tiles;
-}
-
 // Tiles for a process. `limit`: so many may wait there from now on; 0: there are no more tiles.
 struct Share {
     std::size_t limit = 0;
     std::vector<std::uint32_t> tiles;
 };
 
-// Rank 0's tiles that no process has yet.
+// The sink's tiles that no process has yet.
 class Pool {
   public:
-    explicit Pool(std::vector<std::uint32_t> tiles) : tiles_(std::move(tiles)) {}
-    std::size_t size() const { return tiles_.size(); }
+    explicit Pool(TileSink& sink) : sink_(sink), left_(sink.work().missing) {}
     // At the end few tiles, so that no process is left with many when the others have finished.
     Share take(const Demand& demand) {
-        const std::size_t left = tiles_.size() - next_;
-        if (left == 0) return {};
-        const std::size_t fair = left / (2 * static_cast<std::size_t>(ranks()));
+        if (left_ == 0) return {};
+        const std::size_t fair = left_ / (2 * static_cast<std::size_t>(ranks()));
         const std::size_t limit = std::min(demand.ahead, std::max(fair, demand.threads));
-        const auto first = tiles_.begin() + static_cast<std::ptrdiff_t>(next_);
-        const std::size_t count = std::min(left, limit - std::min(limit, demand.waiting));
-        next_ += count;
-        return {limit, {first, first + static_cast<std::ptrdiff_t>(count)}};
+        const std::size_t count = std::min(left_, limit - std::min(limit, demand.waiting));
+        left_ -= count;
+        Share share{limit, {}};
+        for (std::size_t i = 0; i < count; ++i) share.tiles.push_back(sink_.next_tile().value());
+        return share;
     }
 
   private:
-    std::vector<std::uint32_t> tiles_;
-    std::size_t next_ = 0;
+    TileSink& sink_;
+    std::size_t left_;
 };
 
 class Leader {
   public:
-    Leader(const World& world, const RenderOptions& options, const JournalHeader& header,
-           cli::JournalFile* journal, Costs& costs)
-        : header_(header),
-          journal_(journal),
+    Leader(const World& world, const RenderOptions& options, RecordSink& sink, Costs& costs)
+        : sink_(sink),
           costs_(costs),
           progress_(options.progress),
-          pool_(journal != nullptr ? journal->missing() : all_tiles(header.picture)),
-          expected_(journal != nullptr ? journal->expected() : pool_.size()),
-          missing_(pool_.size()),
+          pool_(sink),
+          missing_(sink.work().missing),
           supply_(options.threads),
           followers_(ranks() - 1),
-          whole_(start_picture(options.threads)),
-          renderer_(world, own_options(options), desk_, [this] { exchange(); }) {}
+          rays_(sink.work().rays_before),
+          renderer_(
+              world, options, desk_, [this](const FinishedTile& tile) { receive(tile); },
+              [this] { exchange(); }) {}
 
     Result<Rendering> run() {
         bool own_ended = false;
         while (missing_ > 0 || followers_ > 0) {
             renderer_.exchange();
-            write_records();
-            if (journal_ != nullptr) journal_->rethrow();
+            write_received();
             if (damaged_) return failure(ErrorCode::internal, "a damaged message");
             if (renderer_.has_failed()) return renderer_.result();
             own_ended = renderer_.wait(own_ended ? std::chrono::microseconds(0) : k_pause);
@@ -82,35 +72,18 @@ class Leader {
         }
         Result<Rendering> own = renderer_.result();
         if (!own) return own;
-        write_records();
-        if (journal_ != nullptr) journal_->rethrow();
-        add_rays(whole_.rays, own->rays);
-        whole_.isa = own->isa;
-        whole_.threads = own->threads * ranks();
-        return std::move(whole_);
+        write_received();
+        add_rays(own->rays, rays_);
+        own->threads *= ranks();
+        return own;
     }
 
   private:
-    // With pixels if they are not in the journal.
-    Rendering start_picture(int threads) const {
-        if (journal_ == nullptr)
-            return empty_rendering(header_.layers, header_.picture, thread_count(threads));
-        Rendering rendering;
-        rendering.rays = journal_->rays_before();
-        return rendering;
-    }
-
-    RenderOptions own_options(RenderOptions options) {
-        options.on_tile = [this](const FinishedTile& tile) {
-            if (journal_ != nullptr) {
-                records_.add(record_bytes(tile));
-            } else {
-                copy_tile(tile, header_.picture, whole_);
-            }
-            supply_.count_finished();
-            --missing_;
-        };
-        return options;
+    // A tile of this process.
+    void receive(const FinishedTile& tile) {
+        sink_.receive(tile);
+        supply_.count_finished();
+        --missing_;
     }
 
     void exchange() {
@@ -123,7 +96,8 @@ class Leader {
                 take_in(std::move(message.bytes));
             }
         }
-        if (progress_) progress_(static_cast<double>(expected_ - missing_) / static_cast<double>(expected_));
+        const std::size_t expected = sink_.work().expected;
+        if (progress_) progress_(static_cast<double>(expected - missing_) / static_cast<double>(expected));
         costs_.busy_seconds += std::chrono::duration<double>(Clock::now() - start).count();
     }
 
@@ -155,38 +129,32 @@ class Leader {
 
     // A record of another process.
     void take_in(std::string record) {
-        const auto tile = parse_unchecked_record(record, header_);
-        if (!tile) {
+        const std::size_t bytes = record.size();
+        const std::optional<RayCounts> rays = sink_.receive_record(std::move(record));
+        if (!rays) {
             damaged_ = true;
             return;
         }
-        costs_.received_bytes += record.size();
+        costs_.received_bytes += bytes;
         ++costs_.received_tiles;
-        add_rays(whole_.rays, tile->rays);
-        if (journal_ != nullptr) {
-            records_.add(std::move(record));
-        } else {
-            copy_tile(*tile, header_, whole_);
-        }
+        add_rays(rays_, *rays);
         --missing_;
     }
 
     // On the main thread only: bringing the file to the disk takes time, and tiles go on meanwhile.
-    void write_records() {
-        for (const std::string& record : records_.take()) journal_->append(record);
+    void write_received() {
+        sink_.write_received();
+        sink_.rethrow();
     }
 
-    const JournalHeader& header_;
-    cli::JournalFile* const journal_;
+    RecordSink& sink_;
     Costs& costs_;
     const std::function<void(double)> progress_;
     Pool pool_;
-    const std::size_t expected_;
-    std::atomic<std::size_t> missing_;  // tiles that have not been copied, or added to records_
+    std::atomic<std::size_t> missing_;  // tiles that the sink has not received
     Supply supply_;
     std::atomic<int> followers_;  // who have not been told that there are no more tiles
-    Rendering whole_;
-    Records records_;
+    RayCounts rays_;              // of tiles of other processes, and of those that the sink had
     Inbox inbox_;
     Outbox outbox_;
     bool own_closed_ = false;
@@ -198,11 +166,11 @@ class Leader {
 }  // namespace
 
 Result<Rendering> lead(const World& world, const RenderOptions& options, const JournalHeader& header,
-                       cli::JournalFile* journal, Costs& costs) {
+                       RecordSink& sink, Costs& costs) {
     // Whether records are to have checksums, and the picture.
-    std::string start = (journal != nullptr ? "1" : "0") + header_bytes(header);
+    std::string start = (sink.needs_checksums() ? "1" : "0") + header_bytes(header);
     broadcast(start);
-    return Leader(world, options, header, journal, costs).run();
+    return Leader(world, options, sink, costs).run();
 }
 
 void dismiss() {

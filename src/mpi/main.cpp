@@ -26,9 +26,9 @@ int run_leader(RecordingReader& reader, cli::RenderHooks& hooks, const cli::Run&
     hooks.reader = &reader;
     hooks.loaded = [&] { reader.give(); };
     hooks.render = [&](const World& world, const RenderOptions& options, const JournalHeader& header,
-                       cli::JournalFile* journal) {
+                       RecordSink* sink) {
         led = true;
-        return lead(world, options, header, journal, costs);
+        return lead(world, options, header, *sink, costs);
     };
     const int code = run();
     if (!led) dismiss();
@@ -43,7 +43,7 @@ int run_follower(GivenReader& reader, cli::RenderHooks& hooks, const cli::Run& r
     hooks.reader = &reader;
     hooks.is_writer = false;
     hooks.render = [](const World& world, const RenderOptions& options, const JournalHeader& header,
-                      cli::JournalFile*) { return follow(world, options, header); };
+                      RecordSink*) { return follow(world, options, header); };
     return run();
 }
 

@@ -18,7 +18,7 @@ void broadcast(std::string& bytes);
 enum class Tag : int {
     /// Rank 0 to a worker: how many tiles may wait there (0: there are no more), then numbers of tiles.
     tiles = 1,
-    /// A worker to rank 0: the record of a tile, with its checksum if rank 0 has a journal.
+    /// A worker to rank 0: the record of a tile, with its checksum if rank 0's sink needs it.
     record = 2,
     /// A worker to rank 0: its threads, how many tiles are to wait there, how many do.
     wanted = 3,

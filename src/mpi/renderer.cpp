@@ -46,13 +46,12 @@ bool Desk::is_done() {
     return closed_ && tiles_.empty();
 }
 
-Renderer::Renderer(const World& world, RenderOptions options, Desk& desk, std::function<void()> exchange)
-    : desk_(desk), exchange_(std::move(exchange)) {
-    options.progress = {};
-    options.keep_image = false;
-    options.next_tile = [this] { return next_tile(); };
+Renderer::Renderer(const World& world, RenderOptions options, Desk& desk, Receive receive,
+                   std::function<void()> exchange)
+    : TileSink(TileWork{}), desk_(desk), receive_(std::move(receive)), exchange_(std::move(exchange)) {
+    options.progress = {};  // that of all processes is reported elsewhere
     thread_ = std::thread([this, &world, options = std::move(options)] {
-        result_ = render(world, options);
+        result_ = render_into(*this, world, options);
         const std::scoped_lock lock(mutex_);
         ended_ = true;
         end_.notify_all();

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "glint/glint.h"
+#include "output/tile_sink.h"
 
 namespace glint::mpi {
 
@@ -36,16 +37,17 @@ class Desk {
     bool closed_ = false;
 };
 
-/// Renders what comes to the desk.
-class Renderer {
+/// Renders what comes to the desk. It is the sink of this process's tiles: it hands them on.
+class Renderer final : private TileSink {
   public:
+    /// Where finished tiles go; one call at a time.
+    using Receive = std::function<void(const FinishedTile&)>;
     /// `exchange` sends and takes in messages. It is called by the rendering threads and by exchange(), one
-    /// call at a time, and must not throw. Its objects must outlive the Renderer.
-    Renderer(const World& world, RenderOptions options, Desk& desk, std::function<void()> exchange);
+    /// call at a time. It and `receive` must not throw, and their objects must outlive the Renderer.
+    Renderer(const World& world, RenderOptions options, Desk& desk, Receive receive,
+             std::function<void()> exchange);
     /// Waits for the end, for which it closes the desk.
-    ~Renderer();
-    Renderer(const Renderer&) = delete;
-    Renderer& operator=(const Renderer&) = delete;
+    ~Renderer() override;
 
     /// Exchanges messages on the calling thread.
     void exchange();
@@ -56,10 +58,12 @@ class Renderer {
     bool has_failed() const { return ended_ && !result_; }
 
   private:
-    std::optional<std::uint32_t> next_tile();
+    std::optional<std::uint32_t> next_tile() override;
+    void receive(const FinishedTile& tile) override { receive_(tile); }
     void join();
 
     Desk& desk_;
+    const Receive receive_;
     const std::function<void()> exchange_;
     std::mutex exchanging_;
     std::atomic<std::chrono::steady_clock::time_point> exchanged_{};

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What rank 0 and the others have in common: tiles that are to come, and records that are to leave.
+// How many tiles a process asks for in advance.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <mutex>
-#include <string>
-#include <utility>
-#include <vector>
+#include <cstddef>
 
 #include "base/parallel_for.h"
 
@@ -44,23 +41,6 @@ class Supply {
     const std::size_t threads_;
     const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::atomic<std::size_t> finished_{0};
-};
-
-/// Records between the threads that render and the one that writes or sends them.
-class Records {
-  public:
-    void add(std::string record) {
-        const std::scoped_lock lock(mutex_);
-        records_.push_back(std::move(record));
-    }
-    std::vector<std::string> take() {
-        const std::scoped_lock lock(mutex_);
-        return std::exchange(records_, {});
-    }
-
-  private:
-    std::mutex mutex_;
-    std::vector<std::string> records_;
 };
 
 }  // namespace glint::mpi

@@ -197,10 +197,10 @@ inline std::vector<ShadowSample> recorded_samples(const WorldParts& world, const
 }
 
 /// Records one light, after its terms have been added.
-inline void record_light(const WorldParts& world, const PreparedLight& light, const SurfaceBatch& surfaces,
-                         const LightSampleBatch& samples, const ShadowRayBatch& shadow_rays,
-                         AreaShadowBatch& area_shadow, TileRecord& record) {
-    const LightRules rules = light_rules(world, light);
+inline void record_light(const WorldParts& world, const PreparedLight& light, const LightRules& rules,
+                         const SurfaceBatch& surfaces, const LightSampleBatch& samples,
+                         const ShadowRayBatch& shadow_rays, AreaShadowBatch& area_shadow,
+                         TileRecord& record) {
     int rays = 0;
     for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
         const MaterialLanes material(surfaces, h);

@@ -34,7 +34,8 @@ namespace HWY_NAMESPACE {
 /// Runs the stages of one light, or of one sample of an area light.
 inline void light_from(const WorldParts& world, const PreparedLight& light, TileScratch& s) {
     FirstHits* const first_hits = s.surfaces.generation == 0 && s.first_hits.wanted ? &s.first_hits : nullptr;
-    sample_light(world, light, s.surfaces, s.light_samples, s.shadow_rays);
+    const LightRules rules = light_rules(world, light);
+    sample_light(world, light, rules, s.surfaces, s.light_samples, s.shadow_rays);
     if (s.shadow_rays.count > 0) {
         find_visibility(world, s.shadow_rays, s.stepped_rays, s.record);
         if (first_hits != nullptr) count_tested(s.surfaces, s.light_samples, *first_hits);
@@ -42,16 +43,17 @@ inline void light_from(const WorldParts& world, const PreparedLight& light, Tile
         apply_shadows(s.shadow_rays, s.surfaces.count, s.light_samples);
         if (first_hits != nullptr) count_unoccluded(world, s.surfaces, s.light_samples, *first_hits);
         s.counts.shadow += static_cast<std::uint64_t>(s.shadow_rays.count);
-    } else if (light_rules(world, light).samples_shadow) {
+    } else if (rules.samples_shadow) {
         if (first_hits != nullptr) count_tested(s.surfaces, s.light_samples, *first_hits);
         sample_area_shadow(world, light, s.surfaces, s.light_samples, s.area_shadow, s.shadow_rays,
                            s.stepped_rays, s.counts, s.record);
         if (first_hits != nullptr) count_visible(s.surfaces, s.light_samples, s.area_shadow, *first_hits);
     }
-    compute_highlights(world, s.surfaces, s.light_samples, s.highlights);
-    add_light(world, light, s.surfaces, s.light_samples, s.highlights, s.radiance);
+    compute_highlights(rules, s.surfaces, s.light_samples, s.highlights);
+    add_light(world, light, rules, s.surfaces, s.light_samples, s.highlights, s.radiance);
     if (s.record != nullptr)
-        record_light(world, light, s.surfaces, s.light_samples, s.shadow_rays, s.area_shadow, *s.record);
+        record_light(world, light, rules, s.surfaces, s.light_samples, s.shadow_rays, s.area_shadow,
+                     *s.record);
 }
 
 /// Adds the light of a light to the surfaces.

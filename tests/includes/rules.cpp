@@ -14,8 +14,9 @@ using Names = std::set<std::string_view>;
 Names all_but(const Names& removed) {
     Names names;
     for (const std::string_view name :
-         {"base", "math", "simd", "scene", "formats", "geometry", "lighting", "bvh", "world", "trace",
-          "explain", "check", "compare", "grade", "image", "journal", "cli", "mpi", "wasm"}) {
+         {"base",  "math",    "simd",   "scene",   "formats", "geometry", "lighting",
+          "bvh",   "world",   "trace",  "explain", "check",   "compare",  "grade",
+          "image", "journal", "output", "cli",     "mpi",     "wasm"}) {
         if (!removed.contains(name)) names.insert(name);
     }
     return names;
@@ -77,35 +78,38 @@ const std::vector<Module>& modules() {
         {"scene", {"base", "math"}, {"fmt/", "fast_float/"}},
         {"formats", {"base", "math", "scene"}, {"fmt/", "fast_float/"}},
         {"world",
-         all_but({"trace", "explain", "check", "compare", "grade", "image", "journal", "cli", "mpi", "wasm"}),
+         all_but({"trace", "explain", "check", "compare", "grade", "image", "journal", "output", "cli", "mpi",
+                  "wasm"}),
          {"fmt/"}},
         {"trace",
-         all_but({"explain", "check", "compare", "grade", "image", "journal", "cli", "mpi", "wasm"}),
+         all_but(
+             {"explain", "check", "compare", "grade", "image", "journal", "output", "cli", "mpi", "wasm"}),
          {"fmt/"}},
         {"explain",
-         all_but({"check", "compare", "grade", "image", "journal", "cli", "mpi", "wasm"}),
+         all_but({"check", "compare", "grade", "image", "journal", "output", "cli", "mpi", "wasm"}),
          {"fmt/", "fast_float/", "nlohmann/"}},
         {"check",
-         all_but({"explain", "compare", "grade", "image", "journal", "cli", "mpi", "wasm"}),
+         all_but({"explain", "compare", "grade", "image", "journal", "output", "cli", "mpi", "wasm"}),
          {"fmt/", "fast_float/", "nlohmann/"}},
         {"compare",
-         all_but({"explain", "check", "grade", "journal", "cli", "mpi", "wasm"}),
+         all_but({"explain", "check", "grade", "journal", "output", "cli", "mpi", "wasm"}),
          {"fmt/", "fast_float/", "nlohmann/"}},
         {"grade",
-         all_but({"explain", "check", "journal", "cli", "mpi", "wasm"}),
+         all_but({"explain", "check", "journal", "output", "cli", "mpi", "wasm"}),
          {"fmt/", "fast_float/", "nlohmann/"}},
         {"image",
          {"base", "math"},
          {"fmt/", "zlib.h", "png.h", "jerror.h", "jpeglib.h", "Imf", "Imath"},
          false},
         {"journal", {"base"}, {"fmt/", "zlib.h", "xxhash.h"}, false},
+        {"output", {"base", "trace", "image", "journal"}, {}, false},
         {"cli",
          all_but({"mpi", "wasm"}),
          {"fmt/", "nlohmann/", "CLI/", "sys/", "unistd.h", "fcntl.h", "fnmatch.h", "csignal", "poll.h",
           "signal.h", "termios.h"},
          false},
         {"mpi", all_but({"wasm"}), {"fmt/", "CLI/", "mpi.h"}, false},
-        {"wasm", all_but({"journal", "cli", "mpi"}), {"fmt/", "nlohmann/"}},
+        {"wasm", all_but({"journal", "output", "cli", "mpi"}), {"fmt/", "nlohmann/"}},
     };
     return list;
 }

@@ -239,9 +239,9 @@ inline void sample_light_by(const Rules& rules, const WorldParts& world, const P
 
 /// Samples a light at all surfaces: its cosines, its attenuation, the surfaces that it may light, and, if
 /// shadows are on, their shadow rays.
-inline void sample_light(const WorldParts& world, const PreparedLight& light, const SurfaceBatch& surfaces,
-                         LightSampleBatch& samples, ShadowRayBatch& shadow_rays) {
-    const LightRules rules = light_rules(world, light);
+inline void sample_light(const WorldParts& world, const PreparedLight& light, const LightRules& rules,
+                         const SurfaceBatch& surfaces, LightSampleBatch& samples,
+                         ShadowRayBatch& shadow_rays) {
     if (world.fault != TracerFault::none) {
         sample_light_by(FaultyLightRules{rules}, world, light, surfaces, samples, shadow_rays);
     } else if (rules.is_plain()) {
@@ -260,9 +260,8 @@ HWY_INLINE LaneMask<double> highlights_at(const LightSampleBatch& samples, const
 
 /// Computes S^n for the surfaces that are lit and have a highlight. They are compacted first, because few
 /// surfaces of a vector have one and the power costs more than all other terms.
-inline void compute_highlights(const WorldParts& world, const SurfaceBatch& surfaces,
+inline void compute_highlights(const LightingRules& rules, const SurfaceBatch& surfaces,
                                const LightSampleBatch& samples, HighlightBatch& highlights) {
-    const LightingRules rules = lighting_rules(world);
     int powers = 0;
     for (int i = 0; i < surfaces.count; i += lane_count<double>()) {
         if (lit_bits(samples, i) == 0) continue;
@@ -334,10 +333,9 @@ inline void add_light_by(const Rules& rules, const WorldParts& world, const Prep
 }
 
 /// Adds the light's terms to the surfaces that are lit.
-inline void add_light(const WorldParts& world, const PreparedLight& light, const SurfaceBatch& surfaces,
-                      const LightSampleBatch& samples, const HighlightBatch& highlights,
-                      RadianceBatch& radiance) {
-    const LightRules rules = light_rules(world, light);
+inline void add_light(const WorldParts& world, const PreparedLight& light, const LightRules& rules,
+                      const SurfaceBatch& surfaces, const LightSampleBatch& samples,
+                      const HighlightBatch& highlights, RadianceBatch& radiance) {
     if (world.fault != TracerFault::none) {
         add_light_by(FaultyLightRules{rules}, world, light, surfaces, samples, highlights, radiance);
     } else if (rules.is_plain()) {

@@ -6,22 +6,21 @@
 #include <mutex>
 #include <span>
 
-#include "cli/output_file.h"
-#include "image/strip_encoder.h"
+#include "output/file_in_progress.h"
 
-namespace glint::cli {
+namespace glint {
 
-class StripFile {
+class StripWriter {
   public:
-    /// output: the destination, which must outlive this. Throws Failure.
-    StripFile(const OutputFile& output, const EncodeOptions& encoding, std::int32_t width,
-              std::int32_t height, bool alpha = false);
+    /// Throws if this build does not write the format.
+    StripWriter(std::unique_ptr<FileInProgress> file, const EncodeOptions& encoding, std::int32_t width,
+                std::int32_t height, bool alpha = false);
 
     /// Encodes a strip, given as linear RGB (with alpha: RGBA), and writes what is next in the file. Each
-    /// strip once, in any order, from any thread. Throws Failure.
+    /// strip once, in any order, from any thread. Throws if the file cannot be written.
     void put(std::int32_t strip, std::span<const float> values);
 
-    /// After all strips. durable: as OutputFile::write(). Throws Failure.
+    /// After all strips. durable: as FileInProgress::commit(). Throws.
     void finish(bool durable);
 
   private:
@@ -35,4 +34,4 @@ class StripFile {
 /// The pixels of a strip of `picture`.
 Crop strip_area(const Crop& picture, std::int32_t strip);
 
-}  // namespace glint::cli
+}  // namespace glint

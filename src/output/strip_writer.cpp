@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cli/strip_file.h"
+#include "output/strip_writer.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
-#include "cli/failure.h"
+namespace glint {
 
-namespace glint::cli {
-
-StripFile::StripFile(const OutputFile& output, const EncodeOptions& encoding, std::int32_t width,
-                     std::int32_t height, bool alpha)
-    : file_(output.begin()), encoder_(make_strip_encoder(width, height, encoding, *file_, alpha)) {
-    if (encoder_ == nullptr) throw Failure(k_bad_input, "this build does not write the picture's format");
+StripWriter::StripWriter(std::unique_ptr<FileInProgress> file, const EncodeOptions& encoding,
+                         std::int32_t width, std::int32_t height, bool alpha)
+    : file_(std::move(file)), encoder_(make_strip_encoder(width, height, encoding, *file_, alpha)) {
+    if (encoder_ == nullptr) throw std::runtime_error("this build does not write the picture's format");
 }
 
-void StripFile::put(std::int32_t strip, std::span<const float> values) {
+void StripWriter::put(std::int32_t strip, std::span<const float> values) {
     EncodedStrip encoded = encoder_->encode(strip, values);
     const std::scoped_lock lock(mutex_);
     waiting_.emplace(strip, std::move(encoded));
@@ -25,7 +24,7 @@ void StripFile::put(std::int32_t strip, std::span<const float> values) {
     }
 }
 
-void StripFile::finish(bool durable) {
+void StripWriter::finish(bool durable) {
     encoder_->finish();
     file_->commit(durable);
 }
@@ -35,4 +34,4 @@ Crop strip_area(const Crop& picture, std::int32_t strip) {
     return {picture.width, std::min(k_strip_rows, picture.height - first), picture.x, picture.y + first};
 }
 
-}  // namespace glint::cli
+}  // namespace glint
