@@ -21,14 +21,25 @@ std::optional<FileFormat> format_of_name(const std::string& path) {
     if (ending == ".ppm") return FileFormat::ppm;
     if (ending == ".exr") return FileFormat::exr;
     if (ending == ".tga") return FileFormat::tga;
+    if (ending == ".bmp") return FileFormat::bmp;
+    if (ending == ".jpg" || ending == ".jpeg") return FileFormat::jpeg;
     return std::nullopt;
+}
+
+const char* why_no_alpha(FileFormat format) {
+    return format == FileFormat::tga   ? "glint writes TGA without alpha"
+           : format == FileFormat::bmp ? "glint writes BMP without alpha"
+           : format == FileFormat::ppm ? "PPM has no alpha channel"
+                                       : "JPEG has no alpha channel";
 }
 
 FileFormat format_of(const std::string& path, const OutputFile& output, const NumberArguments& numbers) {
     if (numbers.format) return *numbers.format;
     if (const auto format = format_of_name(path)) return *format;
     if (output.is_stream()) return FileFormat::png;
-    throw Failure(k_usage, fmt::format("--output '{}': glint writes .png, .ppm and .exr, and .tga", path));
+    throw Failure(
+        k_usage,
+        fmt::format("--output '{}': glint writes .png, .ppm and .exr, and .tga, .bmp and .jpg", path));
 }
 
 EncodeOptions encoding_of(const NumberArguments& numbers, FileFormat format, int threads) {
@@ -58,11 +69,9 @@ void PictureOutput::set_layers(const std::vector<Layer>& layers) {
 }
 
 void PictureOutput::set_alpha() {
-    if (encoding_.format == FileFormat::ppm || encoding_.format == FileFormat::tga)
-        throw Failure(k_usage,
-                      fmt::format("--output '{}': {}; write .png or .exr, or render without alpha", path_,
-                                  encoding_.format == FileFormat::ppm ? "PPM has no alpha channel"
-                                                                      : "glint writes TGA without alpha"));
+    if (encoding_.format != FileFormat::png && encoding_.format != FileFormat::exr)
+        throw Failure(k_usage, fmt::format("--output '{}': {}; write .png or .exr, or render without alpha",
+                                           path_, why_no_alpha(encoding_.format)));
     alpha_ = true;
     layers_.leave_out(Layer::alpha);  // it is a channel of the picture
 }
