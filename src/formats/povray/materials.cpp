@@ -262,7 +262,12 @@ void Reader::add_blended_face(const Object& o, const Inherited& own, const Mesh:
     };
     const auto has_room = [&](int parts) {
         shapes_ += static_cast<std::uint64_t>(parts);
-        if (shapes_ > max_shapes()) error(o.at, fmt::format("more than {} shapes", max_shapes()));
+        if (shapes_ > max_shapes()) {
+            error(o.at, fmt::format("the colors of this mesh take more than {} triangles: glint draws a face "
+                                    "with several colors as many small triangles of one color; try fewer "
+                                    "faces, or one texture for each face",
+                                    max_shapes()));
+        }
         return !failed_;
     };
     const int steps = static_cast<int>(std::min(most, 10.0) * 170) + 1;

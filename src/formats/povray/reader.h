@@ -196,6 +196,7 @@ class Reader {
     Numbers array_size(const Token& name);
     RenderSettings scene_size(const Token& at);
     std::optional<double> clock() const;
+    std::optional<double> declared_number(std::string_view name) const;
 
     // user_functions.cpp
     std::shared_ptr<const Function> read_function(const Token& at);
@@ -373,6 +374,7 @@ class Reader {
                           std::span<const Vec3> points, std::span<const Vec3> normals);
     void report(const Missing& missing);
     void report(const MissingList& missing);
+    bool leave_out(const Object& object);
     template <class Shape>
     void add(const Shape& shape, std::uint32_t material, const Affine* map, const Token& at);
 
