@@ -19,6 +19,7 @@
 #include "cli/submissions.h"
 #include "cli/terminal.h"
 #include "cli/text.h"
+#include "cli/whole_picture.h"
 
 namespace glint::cli {
 namespace {
@@ -77,7 +78,7 @@ World prepare_scene(RenderArguments& arguments, LoadedScene& loaded) {
     add_warnings(loaded.warnings, prepared.diagnostics);
     const std::size_t warnings = count_warnings(loaded.warnings);
     const bool refused = arguments.strict && warnings > 0;
-    if (!arguments.quiet || !prepared || refused) print(loaded.warnings);
+    if (!(arguments.quiet || arguments.hides_warnings) || !prepared || refused) print(loaded.warnings);
     if (!prepared) throw_failure(prepared);
     if (refused) fail_strict(warnings);
     return *std::move(prepared);
@@ -118,7 +119,9 @@ int render_command(RenderArguments& arguments, const RenderHooks& hooks) {
     options.crop = crop_of(arguments, loaded.scene.settings);
     const Crop rendered =
         options.crop ? *options.crop : Crop{loaded.scene.settings.width, loaded.scene.settings.height};
-    if (target) target->check_memory(rendered);
+    const Crop written =
+        arguments.keeps_size ? Crop{loaded.scene.settings.width, loaded.scene.settings.height} : rendered;
+    if (target) target->check_memory(written);
 
     auto stage = Clock::now();
     const World world = prepare_scene(arguments, loaded);
@@ -127,7 +130,7 @@ int render_command(RenderArguments& arguments, const RenderHooks& hooks) {
     JournalHeader header;
     if (hooks.render || target->needs_header(rendered))
         header = journal_header(arguments.scene, loaded, rendered, options.layers);
-    if (target && !target->begin(rendered, header, static_cast<bool>(hooks.render))) return k_done;
+    if (target && !target->begin(written, header, static_cast<bool>(hooks.render))) return k_done;
 
     stage = Clock::now();
     Rendering result = [&] {
@@ -142,12 +145,13 @@ int render_command(RenderArguments& arguments, const RenderHooks& hooks) {
     if (!target) return k_done;
     report_cut_rays(arguments, result.rays);
 
+    if (arguments.keeps_size && options.crop) put_in_whole(result, written, rendered);
     times.encode = target->write(result);
     if (stats) stats->write(bytes_of(stats_text(result, times)));
     if (arguments.show)
         fmt::print("{}", half_blocks(result.image, terminal_columns(STDOUT_FILENO), target->rule()));
     print_result(arguments, target->path(), target->size_text(), result, times, seconds_since(start),
-                 count_warnings(loaded.warnings));
+                 loaded.warnings);
     return k_done;
 }
 

@@ -51,7 +51,7 @@ void RenderTarget::set_rule(const ByteRule& rule) {
 
 bool RenderTarget::is_in_strips(const Crop& picture) const {
     if (tiles_) return true;
-    if (arguments_.show || picture_->is_stream()) return false;
+    if (arguments_.show || arguments_.keeps_size || picture_->is_stream()) return false;
     return arguments_.resume || picture_->memory(picture.width, picture.height) > k_max_memory;
 }
 
