@@ -279,13 +279,23 @@ Numbers Reader::comparison() {
     }
 }
 
+// Whether the token after `skipped` others of this frame ends an expression that began before.
+bool Reader::is_end_of_number(std::uint32_t skipped) const {
+    const Frame& frame = frames_.back();
+    if (frame.at + skipped >= frame.end) return false;
+    const Token& next = frame.tokens[frame.at + skipped];
+    return next.is(',') || next.is('>') || next.is('}');
+}
+
 // An expression of one term.
 double Reader::number() {
-    const Token& token = peek();
-    if (token.kind == TokenKind::number && !at_frame_end() && (raw().is(',') || raw().is('>'))) {
-        return take().number;  // most numbers of large texts
+    // Most numbers of large texts, also those below 0.
+    if (peek().kind == TokenKind::number && is_end_of_number(0)) return take().number;
+    if (peek().is('-') && raw().kind == TokenKind::number && is_end_of_number(1)) {
+        take();
+        return -take().number;
     }
-    const Token at = token;
+    const Token at = peek();
     const Numbers value = expression();
     if (value.terms > 1 && !failed_) error(at, "expected a number, found a vector");
     return value.v[0];

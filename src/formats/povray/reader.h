@@ -181,6 +181,7 @@ class Reader {
     Numbers identifier(const Token& name);
     Numbers combine(char op, const Token& at, Numbers a, Numbers b);
     double number();
+    bool is_end_of_number(std::uint32_t skipped) const;
     Vec3 vector();
     double number_or(double value);  // an optional number
     bool flag();                     // an optional number that stands for true or false
@@ -423,11 +424,15 @@ class Reader {
     std::optional<CameraItems> camera_, camera_default_;
     struct MaterialKey {
         std::array<double, 33> values{};
-        bool operator<(const MaterialKey& other) const { return values < other.values; }
+        bool operator==(const MaterialKey& other) const { return values == other.values; }
     };
-    CountedMap<MaterialKey, std::uint32_t> materials_;
+    struct MaterialHash {
+        std::size_t operator()(const MaterialKey& key) const;
+    };
+    CountedHashMap<MaterialKey, std::uint32_t, MaterialHash> materials_;
     MaterialKey last_key_;
     std::uint32_t last_material_ = k_none;
+    bool is_last_plain_ = false;  // its shape had no warnings but those of the material
     Token last_place_token_;
     SourcePlace last_place_;
     std::vector<std::string> warned_;  // what has been refused
