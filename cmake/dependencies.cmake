@@ -4,7 +4,7 @@ if(NOT GLINT_BROWSER)
   # Without these, encode() and decode() return an error.
   option(GLINT_WITH_PNG "Write and read PNG (zlib, libpng)" ON)
   option(GLINT_WITH_EXR "Write and read OpenEXR" ON)
-  option(GLINT_WITH_JPEG "Read JPEG (libjpeg)" ON)
+  option(GLINT_WITH_JPEG "Read and write JPEG (libjpeg)" ON)
 
   # Packages, their targets, and their names in pkg-config and Debian: users of a static libglint need them, too.
   set(GLINT_PACKAGES Threads hwy TBB fmt)

@@ -51,6 +51,8 @@ struct Diagnostic {
     /// the background and the fog.
     SceneItem item = SceneItem::none;
     std::uint32_t index = 0;
+    /// The number of objects that this warning says are left out (LoadOptions::skip_unsupported).
+    std::uint32_t left_out = 0;
 };
 
 /// The item as a path in the Scene: "lights[1]", "camera", "settings". Empty if the message is about none.

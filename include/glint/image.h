@@ -17,6 +17,7 @@ namespace glint {
 /// A rectangle of pixels: (x, y) is its top-left pixel, counted from the picture's top-left.
 struct Crop {
     std::int32_t width = 0, height = 0, x = 0, y = 0;
+    friend bool operator==(const Crop&, const Crop&) = default;
 };
 
 /// width x height pixels of linear RGB, row by row from the top: r, g, b of pixel (x, y) at 3 (y width + x).
@@ -36,15 +37,16 @@ struct Image {
     }
 };
 
-enum class FileFormat : std::uint8_t { png, ppm, exr, tga };
+enum class FileFormat : std::uint8_t { png, ppm, exr, tga, bmp, jpeg };
 
 struct EncodeOptions {
     FileFormat format = FileFormat::png;
-    int bits = 8;                        ///< 8 or 16 per channel; EXR is always 32-bit float, TGA has 8
+    int bits = 8;  ///< 8 or 16 per channel; EXR is always 32-bit float; TGA, BMP and JPEG have 8
     Transfer transfer = Transfer::none;  ///< EXR is always linear
     int threads = 0;
     double gamma = 1;  ///< see ByteRule
     Rounding rounding = Rounding::half_even;
+    int jpeg_quality = 95;  ///< 1 to 100; JPEG changes colors a little at any quality
 
     constexpr ByteRule rule() const { return {transfer, gamma, rounding}; }
     /// Takes the rule of a scene: options.set_rule(scene.conventions.byte_rule()).
@@ -56,13 +58,14 @@ struct EncodeOptions {
 /// The bytes of the file. Clamps to [0, 1], applies gamma and transfer, scales by 255 (65535) and rounds
 /// (ByteRule; docs/conventions.md); EXR keeps floats. The bytes do not depend on threads. An error if a side
 /// of the image is not 1 to k_max_size pixels, if its numbers do not match its size, or if the options have
-/// an invalid format, number of bits, transfer, gamma or rounding. Never throws.
+/// an invalid format, number of bits, transfer, gamma, rounding or quality. Never throws.
 GLINT_API Result<std::vector<std::uint8_t>> encode(const Image& image, const EncodeOptions& options = {});
 
 /// The same with an alpha channel, for pictures that were rendered with RenderSettings::alpha. alpha: width *
 /// height numbers, those of Layer::alpha. The picture's numbers are already multiplied by alpha: OpenEXR
 /// keeps them so; PNG has them divided by alpha, before the transfer curve. An error if `alpha` does not
-/// match the picture's size, and for PPM, which has no alpha. Never throws.
+/// match the picture's size, and for PPM, TGA, BMP
+/// and JPEG, which are written without alpha. Never throws.
 GLINT_API Result<std::vector<std::uint8_t>> encode(const Image& image, std::span<const float> alpha,
                                                    const EncodeOptions& options = {});
 

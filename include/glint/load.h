@@ -51,6 +51,10 @@ struct LoadOptions {
     /// Identifiers that a scene in POV-Ray's language finds declared, and their values; also `clock`. Other
     /// formats have no use for them.
     std::vector<std::pair<std::string, double>> declared = {};
+    /// Objects that glint does not render are left out: a warning for each kind has their number
+    /// (Diagnostic::left_out). Without this they are errors. Objects that are cut, and surfaces with
+    /// patterns, are drawn without these, with a warning.
+    bool skip_unsupported = false;
 };
 
 /// The default of LoadOptions::max_memory for texts of this length in bytes: 2 GiB and 256 times the length;

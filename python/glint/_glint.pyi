@@ -498,6 +498,7 @@ class SceneState:
         max_memory: int,
         folders: Sequence[str],
         includes: str,
+        skip_unsupported: bool,
         progress: _Report,
     ) -> None: ...
     def render(

@@ -103,17 +103,17 @@ class Image:
         return self._rendering.isa
 
     def to_bytes(self, format: str = "png", *, bits: int = 8, transfer: Optional[str] = None) -> bytes:
-        """The bytes of a file: 'png', 'ppm', 'tga' or 'exr'. bits: 8 or 16 a channel (TGA: 8); transfer: 'none' or
-        'srgb', in place of the scene's convention `transfer`."""
+        """The bytes of a file: 'png', 'ppm', 'tga', 'bmp', 'jpeg' or 'exr'. bits: 8 or 16 a channel (TGA, BMP and
+        JPEG: 8); transfer: 'none' or 'srgb', in place of the scene's convention `transfer`."""
         return self._rendering.encode(format, bits, transfer)
 
     def save(self, path: PathLike, *, bits: int = 8, transfer: Optional[str] = None) -> None:
-        """Writes .png, .ppm, .tga or .exr; an .exr holds the layers, too."""
+        """Writes .png, .ppm, .tga, .bmp, .jpg or .exr; an .exr holds the layers, too."""
         name = os.fspath(path)
         ending = os.path.splitext(name)[1].lower()
-        if ending not in (".png", ".ppm", ".tga", ".exr"):
-            raise ValueError(f"{name!r}: glint writes .png, .ppm, .tga and .exr")
-        content = self.to_bytes(ending[1:], bits=bits, transfer=transfer)
+        if ending not in (".png", ".ppm", ".tga", ".bmp", ".jpg", ".jpeg", ".exr"):
+            raise ValueError(f"{name!r}: glint writes .png, .ppm, .tga, .bmp, .jpg and .exr")
+        content = self.to_bytes("jpeg" if ending == ".jpg" else ending[1:], bits=bits, transfer=transfer)
         with open(name, "wb") as file:
             file.write(content)
 

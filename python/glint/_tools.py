@@ -28,6 +28,7 @@ def _load(
     folders: List[str],
     includes: str,
     max_memory: int,
+    skip_unsupported: bool,
     progress: Progress,
 ) -> Scene:
     profile_text = None
@@ -45,6 +46,7 @@ def _load(
             max_memory,
             folders,
             includes,
+            skip_unsupported,
             report,
         )
     return scene
@@ -65,6 +67,7 @@ def load(
     alpha: Optional[bool] = None,
     seed: Optional[int] = None,
     max_memory: int = 0,
+    skip_unsupported: bool = False,
     progress: Progress = None,
 ) -> Scene:
     """The scene of one file, or of several together: .cgfs, .json, .js, .pov, .nff, .dat or .glint.
@@ -72,7 +75,8 @@ def load(
     The keywords are the options of the command. format: if the file's name does not tell; scene_name: of a
     file that holds several; include_path: a folder, or several, with files that the scene includes and that are
     not beside it; profile: one of glint.profiles, or a file of `key = value` lines. max_memory: bytes that
-    reading may take; 0: 2 GiB and 256 times the length of the texts.
+    reading may take; 0: 2 GiB and 256 times the length of the texts. skip_unsupported: objects that glint does not
+    render are left out, with warnings that name and count them; else they are errors.
     Raises GlintError with the place of each mistake, FileNotFoundError, and MemoryError beyond max_memory, with
     the place.
     """
@@ -82,8 +86,18 @@ def load(
     settings = dict(
         size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows, alpha=alpha, seed=seed
     )
+    folders = _folders(include_path)
     return _load(
-        texts, scene_name, profile, settings, convention, _folders(include_path), "any", max_memory, progress
+        texts,
+        scene_name,
+        profile,
+        settings,
+        convention,
+        folders,
+        "any",
+        max_memory,
+        skip_unsupported,
+        progress,
     )
 
 
@@ -102,16 +116,20 @@ def loads(
     includes: bool = True,
     include_path: Union[PathLike, Sequence[PathLike]] = (),
     max_memory: int = 0,
+    skip_unsupported: bool = False,
 ) -> Scene:
     """The scene of a text: 'cgfs', 'epfl', 'csc473', 'povray', 'nff', 'tachyon' or 'glint'.
 
     name: for messages; a file that the text includes is looked for beside a file of this name, then in
     include_path, a folder or several, and never outside of these folders. includes: False: no file is read.
-    max_memory: as of load().
+    max_memory, skip_unsupported: as of load().
     """
     texts = [(name, text.encode(), format)]
     reach = "folder" if includes else "none"
-    return _load(texts, scene_name, profile, {}, None, _folders(include_path), reach, max_memory, None)
+    folders = _folders(include_path)
+    return _load(
+        texts, scene_name, profile, {}, None, folders, reach, max_memory, skip_unsupported, None
+    )
 
 
 def to_scene(scene: SceneLike) -> Scene:

@@ -39,7 +39,7 @@ void load_texts(SceneState& state,
                 const std::string& scene_name, const std::string& profile,
                 const std::optional<std::pair<std::string, std::string>>& profile_text,
                 const SettingList& settings, std::uint64_t max_memory,
-                const std::vector<std::string>& folders, const std::string& includes,
+                const std::vector<std::string>& folders, const std::string& includes, bool skip_unsupported,
                 const py::object& progress) {
     std::vector<SceneText> views;
     cli::FileReach reach{.is_confined = includes != "any", .folders = folders};
@@ -50,6 +50,7 @@ void load_texts(SceneState& state,
     options.profile = profile;
     options.settings = settings;
     options.max_memory = max_memory;
+    options.skip_unsupported = skip_unsupported;
     if (profile_text) options.profile_text = SceneText{profile_text->first, profile_text->second, {}};
     IncludedFiles sources(folders, std::move(reach));
     Result<Scene> result = run(progress, [&](Running& running) {

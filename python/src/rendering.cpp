@@ -45,8 +45,12 @@ py::bytes encoded(const Rendering& r, const std::string& format, int bits,
         options.format = FileFormat::exr;
     } else if (format == "tga") {
         options.format = FileFormat::tga;
+    } else if (format == "bmp") {
+        options.format = FileFormat::bmp;
+    } else if (format == "jpeg") {
+        options.format = FileFormat::jpeg;
     } else {
-        throw py::value_error("format: expected 'png', 'ppm', 'tga' or 'exr', found " +
+        throw py::value_error("format: expected 'png', 'ppm', 'tga', 'bmp', 'jpeg' or 'exr', found " +
                               repr_of(py::str(format)));
     }
     options.bits = bits;

@@ -134,6 +134,11 @@ def test_files(scene, tmp_path):
     for name in ("a.png", "a.ppm"):
         image.save(tmp_path / name)
         assert np.abs(glint.Image.open(tmp_path / name).array - np.clip(image.array, 0, 1)).max() < 0.51 / 255
+    image.save(tmp_path / "a.bmp")
+    bmp = (tmp_path / "a.bmp").read_bytes()
+    assert bmp[:2] == b"BM" and bmp[54 + 3 * 63:][:3] == bytes([blue, green, red])
+    image.save(tmp_path / "a.jpg")
+    assert np.abs(glint.Image.open(tmp_path / "a.jpg").array - np.clip(image.array, 0, 1)).mean() < 3 / 255
     image.save(tmp_path / "a.exr")
     assert glint.Image.open(tmp_path / "a.exr") == image
     assert image._repr_png_() == (tmp_path / "a.png").read_bytes()

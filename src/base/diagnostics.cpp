@@ -78,7 +78,7 @@ void Diagnostics::add(Diagnostic diagnostic) {
         if (full()) return;
         ++errors_;
     } else if (warnings_ == k_max_warnings) {
-        return;
+        if (diagnostic.left_out == 0) return;  // what is not in the picture is named in any case
     } else {
         ++warnings_;
     }

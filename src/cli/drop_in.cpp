@@ -2,6 +2,7 @@
 #include "cli/drop_in.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "cli/commands.h"
 #include "cli/failure.h"
@@ -11,6 +12,18 @@
 namespace glint::cli {
 namespace {
 
+// One picture, or those of an animation until one fails.
+int render(DropIn& parsed) {
+    if (parsed.frames.empty()) return render_picture(parsed.render);
+    for (const DropInFrame& frame : parsed.frames) {
+        RenderArguments arguments = parsed.render;
+        arguments.output = frame.output;
+        for (const auto& [name, value] : frame.declared) arguments.scene.declared.emplace_back(name, value);
+        if (const int code = render_picture(arguments); code != k_done) return code;
+    }
+    return k_done;
+}
+
 int run(const DropInProgram& program, const std::vector<std::string>& arguments) {
     try {
         DropIn parsed = program.parse(arguments);
@@ -19,9 +32,11 @@ int run(const DropInProgram& program, const std::vector<std::string>& arguments)
                                                : fmt::format("{} ({})\n", program.name, k_version));
             return k_done;
         }
+        const std::string& output = parsed.render.output;
+        if (output == "-" || output == "/dev/stdout") copies_errors_to_output() = false;
         for (const std::string& warning : parsed.warnings)
             print_error("{}: warning: {}\n", program.name, warning);
-        return render_picture(parsed.render) == k_done ? k_done : program.failure;
+        return render(parsed) == k_done ? k_done : program.failure;
     } catch (const Failure& e) {
         const std::string message = e.what();
         if (!message.empty()) print_error("{}: {}\n", program.name, message);
@@ -29,12 +44,25 @@ int run(const DropInProgram& program, const std::vector<std::string>& arguments)
     }
 }
 
+// Whether the program is called by the name of the one whose place it takes.
+bool stands_in(const DropInProgram& program, int count, char** values) {
+    if (program.stands_for.empty() || count < 1) return false;
+    const std::string_view path = values[0];
+    return path.substr(path.rfind('/') + 1) == program.stands_for;
+}
+
 }  // namespace
 
 int run_drop_in(const DropInProgram& program, int count, char** values) {
-    return run_program(program.name, program.failure, [&] {
+    const bool stands = stands_in(program, count, values);
+    // Callers read standard output and look at its last line; others see standard error.
+    copies_errors_to_output() = stands;
+    const int code = run_program(program.name, program.failure, [&] {
         return run(program, {values + std::min(count, 1), values + count});
     });
+    if (!copies_errors_to_output() || code != program.failure) return code;
+    fmt::print("{}\n", program.refusal);
+    return std::fflush(stdout) == 0 ? k_done : code;
 }
 
 }  // namespace glint::cli

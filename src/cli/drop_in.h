@@ -5,16 +5,24 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cli/render_arguments.h"
 
 namespace glint::cli {
 
+/// A picture of an animation.
+struct DropInFrame {
+    std::string output;
+    std::vector<std::pair<std::string, double>> declared;  ///< `clock`, `frame_number` ...
+};
+
 /// A command line of another program, as the arguments of `glint render`.
 struct DropIn {
     RenderArguments render;
     std::vector<std::string> warnings;  ///< what has another effect here, or none
+    std::vector<DropInFrame> frames;    ///< of an animation; none: one picture
     bool wants_help = false, wants_version = false;
 };
 
@@ -56,6 +64,9 @@ struct DropInProgram {
     std::string_view extensions;  ///< of the files that it takes, separated by blanks
     int failure;                  ///< the exit code
     DropIn (*parse)(const std::vector<std::string>&);
+    /// If it is called by this name, a refusal is printed and ends as that program's own; or empty.
+    std::string_view stands_for;
+    std::string_view refusal;  ///< the last line, on standard output, of such a refusal; its exit code is 0
 };
 
 extern const DropInProgram k_tachyon_program, k_povray_program;

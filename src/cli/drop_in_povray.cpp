@@ -10,6 +10,7 @@
 
 #include "base/text.h"
 #include "cli/drop_in.h"
+#include "cli/drop_in_animation.h"
 #include "cli/drop_in_words.h"
 #include "cli/failure.h"
 #include "cli/file_policy.h"
@@ -22,6 +23,7 @@ namespace glint::cli {
 namespace {
 
 constexpr int k_max_ini_depth = 10, k_max_ini_files = 1000;
+constexpr double k_max_frame = 1e6;
 
 class PovrayArguments {
   public:
@@ -33,6 +35,8 @@ class PovrayArguments {
                 parsed_.wants_help = true;
             } else if (word == "--version" || word == "-version") {
                 parsed_.wants_version = true;
+            } else if (word == "--skip-unsupported") {
+                parsed_.render.scene.skip_unsupported = true;
             } else if (!word.empty() &&
                        (word[0] == '+' || word[0] == '-' || word.find('=') < word.find(' '))) {
                 for (const std::string& option : split_options(word, true)) read(option);
@@ -160,7 +164,8 @@ class PovrayArguments {
         if (known.key == "Output_to_File") return void(writes_ = truth(value).value_or(true));
         const bool is_switch = known.id == PovrayKey::antialias || known.id == PovrayKey::alpha ||
                                known.id == PovrayKey::jitter || known.id == PovrayKey::display ||
-                               known.id == PovrayKey::verbose;
+                               known.id == PovrayKey::verbose || known.id == PovrayKey::cycle ||
+                               known.id == PovrayKey::fields;
         if (is_switch && known.key != "Jitter_Amount")
             return set(known.id, {}, truth(value).value_or(true), word);
         if (known.id == PovrayKey::other_picture && !truth(value).value_or(true)) return;
@@ -216,11 +221,39 @@ class PovrayArguments {
                 return void(folders_.push_back(value));
             case PovrayKey::clock:
                 return declare("clock", value, word);
-            case PovrayKey::animation:
-                return fail(
-                    fmt::format("{}: glint-povray renders one picture, no animation", glint::quoted(word)));
-            case PovrayKey::part:
-                return fail(fmt::format("{}: glint-povray renders whole pictures", glint::quoted(word)));
+            case PovrayKey::first_frame:
+                return void(animation_.first_frame = number(value, word, k_max_frame));
+            case PovrayKey::last_frame:
+                return void(animation_.last_frame = number(value, word, k_max_frame));
+            case PovrayKey::first_clock:
+                return void(animation_.first_clock = any_number(value, word));
+            case PovrayKey::last_clock:
+                return void(animation_.last_clock = any_number(value, word));
+            case PovrayKey::cycle:
+                return void(animation_.is_cyclic = on);
+            case PovrayKey::subset_first_frame:
+                return void(animation_.subset_first = number(value, word, k_max_frame));
+            case PovrayKey::subset_last_frame:
+                return void(animation_.subset_last = number(value, word, k_max_frame));
+            case PovrayKey::frame_step:
+                return void(animation_.step = number(value, word, k_max_frame));
+            case PovrayKey::fields:
+                if (on)
+                    warn(fmt::format("{} has no effect: glint renders whole frames", glint::quoted(word)));
+                return;
+            case PovrayKey::first_column:
+                return void(columns_.first = number(value, word, k_max_size));
+            case PovrayKey::last_column:
+                return void(columns_.last = number(value, word, k_max_size));
+            case PovrayKey::first_row:
+                return void(rows_.first = number(value, word, k_max_size));
+            case PovrayKey::last_row:
+                return void(rows_.last = number(value, word, k_max_size));
+            case PovrayKey::compression:
+                if (number(value, word, 100) >= 1) jpeg_quality_ = static_cast<int>(number(value, word, 100));
+                return;
+            case PovrayKey::warning_level:
+                return void(render.hides_warnings = number(value, word, 10) < 1);
             case PovrayKey::declare: {
                 const std::size_t equals = value.find('=');
                 if (equals == std::string::npos || equals == 0)
@@ -241,19 +274,24 @@ class PovrayArguments {
         }
     }
 
-    // A number that the scene finds declared.
-    void declare(const std::string& name, const std::string& value, const std::string& word) {
+    double any_number(const std::string& value, const std::string& word) const {
         double number = 0;
         const char* const end = value.data() + value.size();
         if (value.empty() || read_any_number(value.data(), end, number) != end ||
             !(number >= -1e12 && number <= 1e12))
-            return fail(fmt::format("{}: expected a number", glint::quoted(word)));
+            fail(fmt::format("{}: expected a number", glint::quoted(word)));
+        return number;
+    }
+
+    // A number that the scene finds declared.
+    void declare(const std::string& name, const std::string& value, const std::string& word) {
+        const double number = any_number(value, word);
         auto& declared = parsed_.render.scene.declared;
         std::erase_if(declared, [&](const auto& d) { return d.first == name; });
         declared.emplace_back(name, number);
     }
 
-    // N8, N16, T, P, E; the bits follow the letter.
+    // N8, N16, T, P, E, J, B; the bits follow the letter.
     void set_file_type(const std::string& value, const std::string& word) {
         if (value.empty()) return;
         NumberArguments& numbers = parsed_.render.numbers;
@@ -275,9 +313,17 @@ class PovrayArguments {
             case 'E':
                 numbers.format = FileFormat::exr;
                 break;
+            case 'J':
+                numbers.format = FileFormat::jpeg;
+                return;  // the number that follows has no effect
+            case 'B':
+                numbers.format = FileFormat::bmp;
+                break;
             default:
-                fail(fmt::format("{}: glint-povray writes N (PNG), T (TGA), P (PPM) and E (OpenEXR)",
-                                 glint::quoted(word)));
+                fail(fmt::format(
+                    "{}: glint-povray writes N (PNG), T (TGA), P (PPM), E (OpenEXR), J (JPEG) and "
+                    "B (BMP)",
+                    glint::quoted(word)));
         }
         if (!rest.empty()) numbers.bits = number(rest, word, 16) > 8 ? 16 : 8;
     }
@@ -309,9 +355,39 @@ class PovrayArguments {
         NumberArguments& numbers = render.numbers;
         if (!numbers.format) numbers.format = FileFormat::png;
         if (*numbers.format != FileFormat::png && *numbers.format != FileFormat::ppm) numbers.bits = 8;
+        numbers.jpeg_quality = jpeg_quality_;
         render.output = writes_ ? output_path() : "/dev/null";
         if (writes_) check_output();
         render.scene.include_paths = folders_;
+        set_part();
+        set_frames();
+    }
+
+    // POV-Ray's picture has its whole size, with black around the part.
+    void set_part() {
+        const auto across = pixels_of(columns_, width_), down = pixels_of(rows_, height_);
+        if (!across || !down)
+            throw Failure(
+                k_usage,
+                fmt::format("+SC, +EC, +SR, +ER: expected a part of the {}x{} pixels: the first column "
+                            "and row at or before the last, from 1, or fractions",
+                            width_, height_));
+        if (across->count == width_ && down->count == height_) return;
+        parsed_.render.crop =
+            fmt::format("{}x{}+{}+{}", across->count, down->count, across->first, down->first);
+        parsed_.render.keeps_size = true;
+    }
+
+    void set_frames() {
+        parsed_.frames = frames_of(animation_, parsed_.render.output);
+        const bool is_alone = animation_.first_frame.value_or(1) >= animation_.last_frame.value_or(0);
+        if (!parsed_.frames.empty() && is_alone)
+            warn("an animation of one frame: its clock is Initial_Clock; in POV-Ray it is not a number");
+        if (!parsed_.frames.empty() && parsed_.render.output == "-")
+            throw Failure(k_usage, "an animation is several files: name them with +O");
+        const bool has_frames = animation_.first_frame || animation_.last_frame.value_or(0) >= 1;
+        if (has_frames && parsed_.frames.empty())
+            throw Failure(k_usage, "+SF, +EF: expected some of the animation's frames, found none");
     }
 
     // Somebody else's .ini must not write to any place: on the command line the user sees where.
@@ -327,10 +403,12 @@ class PovrayArguments {
 
     std::string output_path() const {
         const FileFormat format = *parsed_.render.numbers.format;
-        const std::string ending = format == FileFormat::tga   ? ".tga"
-                                   : format == FileFormat::ppm ? ".ppm"
-                                   : format == FileFormat::exr ? ".exr"
-                                                               : ".png";
+        const std::string ending = format == FileFormat::tga    ? ".tga"
+                                   : format == FileFormat::ppm  ? ".ppm"
+                                   : format == FileFormat::exr  ? ".exr"
+                                   : format == FileFormat::jpeg ? ".jpg"
+                                   : format == FileFormat::bmp  ? ".bmp"
+                                                                : ".png";
         std::string name = (input_ == "-" ? std::string("stdin") : stem(input_)) + ending;
         if (output_.empty()) return name;
         std::error_code ignored;
@@ -347,6 +425,9 @@ class PovrayArguments {
     bool is_own_ini_ = false, is_trusted_ini_ = false;
     int depth_ = 0, ini_files_ = 0;
     std::string input_, output_;
+    Animation animation_;
+    PartOfSide columns_, rows_;
+    int jpeg_quality_ = 85;  // POV-Ray's default, measured
     std::vector<std::string> folders_;
     int width_ = 320, height_ = 240;
     bool antialias_ = false, writes_ = true;

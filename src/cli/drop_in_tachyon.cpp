@@ -30,10 +30,22 @@ class TachyonArguments {
         if (render.scene.files.empty() || render.scene.files[0].empty())
             throw Failure(k_usage, "expected the name of a model file");
         if (render.output.empty()) {
-            const FileFormat format = *render.numbers.format;
-            render.output = format == FileFormat::png   ? "outfile.png"
-                            : format == FileFormat::ppm ? "outfile.ppm"
-                                                        : "outfile.tga";
+            switch (*render.numbers.format) {
+                case FileFormat::png:
+                    render.output = "outfile.png";
+                    break;
+                case FileFormat::ppm:
+                    render.output = "outfile.ppm";
+                    break;
+                case FileFormat::bmp:
+                    render.output = "outfile.bmp";
+                    break;
+                case FileFormat::jpeg:
+                    render.output = "outfile.jpg";
+                    break;
+                default:
+                    render.output = "outfile.tga";
+            }
         }
         if (!writes_) render.output = "/dev/null";
         const std::string text = settings_text();
@@ -91,6 +103,7 @@ class TachyonArguments {
         if (word == "-version" || word == "-banner") return void(parsed_.wants_version = true);
         if (word == "+V") return void(parsed_.render.quiet = false);
         if (word == "-V") return;
+        if (word == "--skip-unsupported") return void(parsed_.render.scene.skip_unsupported = true);
         if (word == "-o") return void(parsed_.render.output = value_of(word));
         if (word.size() > 1 && word[0] == '-') return read_flag(word);
         if (!parsed_.render.scene.files.empty())
@@ -183,9 +196,15 @@ class TachyonArguments {
             numbers.format = FileFormat::ppm;
         } else if (upper == "TARGA" || upper == "TGA") {
             numbers.format = FileFormat::tga;
+        } else if (upper == "BMP") {
+            numbers.format = FileFormat::bmp;
+        } else if (upper == "JPEG") {
+            numbers.format = FileFormat::jpeg;
         } else {
-            fail(fmt::format("-format: glint-tachyon writes TARGA, PNG, PPM and PPM48, found {}",
-                             glint::quoted(name)));
+            fail(
+                fmt::format("-format: glint-tachyon writes TARGA, PNG, PPM, PPM48, BMP and JPEG, found {}; "
+                            "PNG loses nothing",
+                            glint::quoted(name)));
         }
     }
 

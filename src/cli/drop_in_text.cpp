@@ -9,7 +9,8 @@ namespace {
 
 constexpr DropInOption k_tachyon_options[] = {
     {"-o FILE", "The picture; default: outfile.tga, or the ending of -format"},
-    {"-format NAME", "TARGA (default, whatever the file's name), PNG, PPM or PPM48", "TARGA PNG PPM PPM48"},
+    {"-format NAME", "TARGA (default, whatever the file's name), PNG, PPM, PPM48, BMP or JPEG",
+     "TARGA PNG PPM PPM48 BMP JPEG"},
     {"-res X Y", "The size in pixels; default: the scene's Resolution"},
     {"-aasamples N", "N samples besides the first, as a regular grid of at least as many"},
     {"-numthreads N", "Threads; default: one per processor"},
@@ -27,6 +28,7 @@ constexpr DropInOption k_tachyon_options[] = {
     {"-auto_skylight S", "Light from the sky, and the lights multiplied by 1 - S"},
     {"-skylight_samples N", "Rays to the sky from each point; default: 128"},
     {"-nosave", "Render, and write nothing"},
+    {"--skip-unsupported", "Leave out what glint cannot draw; the last line says how much"},
     {"-clamp, -nobounding, -boundthresh N, +V, -V", "Accepted; they have no effect on the picture"},
     {"-normalize, -gamma N, -cropoutput W H X Y, -cropoutputauto, -crop X Y W H, -camfile FILE, -normalfixup "
      "MODE, -spaceball, -spaceballport PORT",
@@ -39,7 +41,8 @@ constexpr DropInOption k_povray_options[] = {
     {"+I[FILE]", "The scene; a FILE without + is one, too"},
     {"+O[FILE]", "The picture, a folder for it, or - (standard output); default: the scene's name"},
     {"+W[N], +H[N]", "The size in pixels; default: 320 by 240"},
-    {"+FN[8|16], +FT, +FP[8|16], +FE", "The file type: PNG (default), TGA, PPM, OpenEXR"},
+    {"+FN[8|16], +FT, +FP[8|16], +FE, +FJ, +FB",
+     "The file type: PNG (default), TGA, PPM, OpenEXR, JPEG, BMP"},
     {"-F", "Render, and write nothing"},
     {"+A[N], -A", "Anti-aliasing where neighbours differ by N (0.3), or none (default)"},
     {"+R[N]", "The samples of such a pixel, along a side; default: 3"},
@@ -48,6 +51,11 @@ constexpr DropInOption k_povray_options[] = {
     {"+UA", "Write an alpha channel"},
     {"+L[FOLDER]", "A folder of included files"},
     {"+K[N]", "The scene's clock"},
+    {"+KFI[N], +KFF[N], +KI[N], +KF[N], +KC, +SF[N], +EF[N]",
+     "An animation: its first and last frame, the clock of these, a cycle, and the frames to render"},
+    {"+SC[N], +EC[N], +SR[N], +ER[N]",
+     "The first and last column and row to render, as numbers from 1 or fractions; the rest is black"},
+    {"--skip-unsupported", "Leave out what glint cannot draw; the last line says how much"},
     {"-V", "Print only errors"},
     {"-D, -P, -C, -J, +X, +AM[N], +MB[N]",
      "Accepted, as others of display, pause and method; no effect on the picture"},
@@ -69,7 +77,9 @@ const DropInProgram k_tachyon_program{
     "glint-tachyon scene.dat -res 800 600 -format PNG -o scene.png\n",
     "dat",
     255,
-    tachyon_drop_in};
+    tachyon_drop_in,
+    "tachyon",
+    "Aborting render."};
 
 const DropInProgram k_povray_program{
     "glint-povray",
@@ -83,7 +93,9 @@ const DropInProgram k_povray_program{
     "glint-povray water.ini\n",
     "pov ini",
     1,
-    povray_drop_in};
+    povray_drop_in,
+    {},
+    {}};
 
 std::array<const DropInProgram*, 2> drop_in_programs() { return {&k_povray_program, &k_tachyon_program}; }
 

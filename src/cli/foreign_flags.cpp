@@ -89,7 +89,10 @@ void answer_povray(const std::string& flag, Answer& answer) {
             return answer.add_line(
                 flag,
                 "full quality is the default; for less: --no-shadows, --reflections 0, --shading color");
-        case PovrayKey::part:
+        case PovrayKey::first_column:
+        case PovrayKey::last_column:
+        case PovrayKey::first_row:
+        case PovrayKey::last_row:
             return answer.add_line(flag, "--crop WxH+X+Y renders a part of the picture");
         case PovrayKey::file_type:
             return answer.add_line(
@@ -108,8 +111,16 @@ void answer_povray(const std::string& flag, Answer& answer) {
             if (off) return answer.add_line(flag, "pictures have no alpha by default; leave it out");
             return answer.use(flag, "--alpha");
         case PovrayKey::clock:
-        case PovrayKey::animation:
-            return answer.add_line(flag, "glint has no animation clock");
+        case PovrayKey::first_frame:
+        case PovrayKey::last_frame:
+        case PovrayKey::first_clock:
+        case PovrayKey::last_clock:
+        case PovrayKey::cycle:
+        case PovrayKey::subset_first_frame:
+        case PovrayKey::subset_last_frame:
+        case PovrayKey::frame_step:
+        case PovrayKey::fields:
+            return answer.add_line(flag, "glint has no animation clock; glint-povray takes it");
         default:
             return answer.add_line(flag, "glint does not need it; leave it out");
     }

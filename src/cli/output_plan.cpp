@@ -22,8 +22,9 @@ std::string default_output(const std::string& scene_file, const std::optional<Pa
 }
 
 TileStore store_of(const RenderArguments& arguments, const PictureOutput& picture, bool is_distributed) {
-    if (arguments.resume) return TileStore::journal;
-    if (arguments.show || picture.is_stream() || picture.memory() <= k_max_memory) return TileStore::memory;
+    if (arguments.resume && !arguments.keeps_size) return TileStore::journal;
+    if (arguments.show || arguments.keeps_size || picture.is_stream() || picture.memory() <= k_max_memory)
+        return TileStore::memory;
     // Tiles of other processes come in any order, and a file of layers has them one after the other.
     return is_distributed || picture.has_layers() ? TileStore::journal : TileStore::strips;
 }
@@ -52,12 +53,14 @@ OutputPlan plan_output(OutputRequest request, const RenderArguments& arguments, 
     plan.path = request.path;
     plan.tiles = std::move(request.tiles);
     plan.stats = std::move(request.stats);
+    const RenderSettings& settings = loaded.scene.settings;
     plan.area = area;
+    plan.written = arguments.keeps_size ? Crop{settings.width, settings.height} : area;
     plan.is_shown = arguments.show;
     plan.is_quiet = arguments.quiet;
     if (arguments.resume) plan.kept_journal = plan.path + ".journal";
     if (request.picture) {
-        const PictureContents contents{area, layers, loaded.scene.settings.alpha,
+        const PictureContents contents{plan.written, layers, settings.alpha,
                                        loaded.scene.conventions.byte_rule()};
         plan.picture.emplace(*std::move(request.picture), contents, arguments.threads);
     }
@@ -73,7 +76,7 @@ OutputPlan plan_output(OutputRequest request, const RenderArguments& arguments, 
 
 std::string OutputPlan::size_text() const {
     return tiles ? counted(tiles_of_part(header).size(), "tile")
-                 : fmt::format("{}x{}", area.width, area.height);
+                 : fmt::format("{}x{}", written.width, written.height);
 }
 
 }  // namespace glint::cli

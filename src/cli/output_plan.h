@@ -37,6 +37,7 @@ struct OutputPlan {
     std::optional<OutputFile> tiles;       ///< of --part: the journal itself is the output
     std::optional<OutputFile> stats;       ///< of --stats
     Crop area;                             ///< what is rendered, in the whole picture
+    Crop written;                          ///< what is written: the area, or with keeps_size the whole
     TileStore store = TileStore::memory;
     /// Says which picture it is, where a journal or other processes are to know; otherwise empty.
     JournalHeader header;

@@ -118,6 +118,7 @@ void add_threads_argument(CLI::App& command, int& threads, const std::string& re
 EncodeOptions encoding_of(const NumberArguments& arguments, const ByteRule& rule) {
     EncodeOptions options;
     options.bits = arguments.bits;
+    options.jpeg_quality = arguments.jpeg_quality;
     options.set_rule(rule);
     if (!arguments.transfer.empty())
         options.transfer = arguments.transfer == "srgb" ? Transfer::srgb : Transfer::none;

@@ -32,6 +32,7 @@ struct NumberArguments {
     std::string transfer = {};  ///< empty: the scene's
     int bits = 8;
     std::optional<FileFormat> format = {};  ///< empty: by the output's name
+    int jpeg_quality = 95;
 };
 
 /// Adds --transfer and --bits.

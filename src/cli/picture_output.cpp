@@ -21,14 +21,25 @@ std::optional<FileFormat> format_of_name(const std::string& path) {
     if (ending == ".ppm") return FileFormat::ppm;
     if (ending == ".exr") return FileFormat::exr;
     if (ending == ".tga") return FileFormat::tga;
+    if (ending == ".bmp") return FileFormat::bmp;
+    if (ending == ".jpg" || ending == ".jpeg") return FileFormat::jpeg;
     return std::nullopt;
+}
+
+const char* why_no_alpha(FileFormat format) {
+    return format == FileFormat::tga   ? "glint writes TGA without alpha"
+           : format == FileFormat::bmp ? "glint writes BMP without alpha"
+           : format == FileFormat::ppm ? "PPM has no alpha channel"
+                                       : "JPEG has no alpha channel";
 }
 
 FileFormat format_of(const std::string& path, const OutputFile& output, const NumberArguments& numbers) {
     if (numbers.format) return *numbers.format;
     if (const auto format = format_of_name(path)) return *format;
     if (output.is_stream()) return FileFormat::png;
-    throw Failure(k_usage, fmt::format("--output '{}': glint writes .png, .ppm and .exr, and .tga", path));
+    throw Failure(
+        k_usage,
+        fmt::format("--output '{}': glint writes .png, .ppm and .exr, and .tga, .bmp and .jpg", path));
 }
 
 EncodeOptions encoding_of(const PictureDestination& destination, const ByteRule& rule, int threads) {
@@ -40,12 +51,9 @@ EncodeOptions encoding_of(const PictureDestination& destination, const ByteRule&
 
 // Whether the picture has alpha. Throws Failure if the file cannot have it.
 bool check_alpha(const PictureDestination& destination, bool has_alpha) {
-    const bool is_ppm = destination.format == FileFormat::ppm;
-    if (has_alpha && (is_ppm || destination.format == FileFormat::tga))
-        throw Failure(
-            k_usage,
-            fmt::format("--output '{}': {}; write .png or .exr, or render without alpha", destination.path,
-                        is_ppm ? "PPM has no alpha channel" : "glint writes TGA without alpha"));
+    if (has_alpha && destination.format != FileFormat::png && destination.format != FileFormat::exr)
+        throw Failure(k_usage, fmt::format("--output '{}': {}; write .png or .exr, or render without alpha",
+                                           destination.path, why_no_alpha(destination.format)));
     return has_alpha;
 }
 

@@ -78,7 +78,7 @@ World prepare_scene(RenderArguments& arguments, LoadedScene& loaded) {
     add_warnings(loaded.warnings, prepared.diagnostics);
     const std::size_t warnings = count_warnings(loaded.warnings);
     const bool refused = arguments.strict && warnings > 0;
-    if (!arguments.quiet || !prepared || refused) print(loaded.warnings);
+    if (!(arguments.quiet || arguments.hides_warnings) || !prepared || refused) print(loaded.warnings);
     if (!prepared) throw_failure(prepared);
     if (refused) fail_strict(warnings);
     return *std::move(prepared);
@@ -145,7 +145,7 @@ int render_command(RenderArguments& arguments, const RenderHooks& hooks) {
     if (arguments.show)
         fmt::print("{}", half_blocks(result.image, terminal_columns(STDOUT_FILENO), plan->picture->rule()));
     print_result(arguments, plan->path, plan->size_text(), result, times, seconds_since(start),
-                 count_warnings(loaded.warnings));
+                 loaded.warnings);
     return k_done;
 }
 

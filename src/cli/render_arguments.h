@@ -16,6 +16,8 @@ struct RenderArguments {
     std::optional<std::string> aov;
     std::string output, crop, isa, stats, part;
     bool resume = false, strict = false, show = false, quiet = false;
+    bool keeps_size = false;      ///< the picture has the whole's size, with black around the crop
+    bool hides_warnings = false;  ///< of the scene
     int threads = 0;
 };
 

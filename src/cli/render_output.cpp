@@ -12,6 +12,7 @@
 #include "cli/journal_picture.h"
 #include "cli/print_error.h"
 #include "cli/text.h"
+#include "cli/whole_picture.h"
 #include "output/memory_sink.h"
 #include "output/strip_sink.h"
 
@@ -30,7 +31,10 @@ class MemoryOutput : public RenderOutput {
         return result;
     }
 
-    double write(Rendering& rendering) override { return plan_.picture->write(rendering); }
+    double write(Rendering& rendering) override {
+        if (plan_.written != plan_.area) put_in_whole(rendering, plan_.written, plan_.area);
+        return plan_.picture->write(rendering);
+    }
 
   private:
     const OutputPlan& plan_;

@@ -48,12 +48,19 @@ void report_cut_rays(const RenderArguments& arguments, const RayCounts& rays) {
 }
 
 void print_result(const RenderArguments& arguments, const std::string& path, const std::string& size,
-                  const Rendering& result, const Times& times, double whole, std::size_t warnings) {
+                  const Rendering& result, const Times& times, double whole,
+                  const std::vector<Diagnostic>& warnings) {
     if (arguments.quiet) return;
     print_error("{}  {}  {} rays  {:.3f} s  {:.1f} Mray/s  (total {:.3f} s, {}, {}, {})\n", path, size,
                 with_commas(result.rays.total()), times.trace,
                 static_cast<double>(result.rays.total()) / times.trace / 1e6, whole,
-                counted(std::uint64_t(result.threads), "thread"), result.isa, counted(warnings, "warning"));
+                counted(std::uint64_t(result.threads), "thread"), result.isa,
+                counted(count_warnings(warnings), "warning"));
+    std::uint64_t left_out = 0;
+    for (const Diagnostic& d : warnings) left_out += d.left_out;
+    if (left_out > 0)
+        print_error("{}  is without {} that glint does not render; the warnings name them\n", path,
+                    counted(left_out, "object"));
 }
 
 }  // namespace glint::cli

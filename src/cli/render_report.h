@@ -18,7 +18,8 @@ std::string stats_text(const Rendering& rendering, const Times& times);
 
 /// The line that ends a run. size: "640x480"; whole: seconds.
 void print_result(const RenderArguments& arguments, const std::string& path, const std::string& size,
-                  const Rendering& result, const Times& times, double whole, std::size_t warnings);
+                  const Rendering& result, const Times& times, double whole,
+                  const std::vector<Diagnostic>& warnings);
 
 /// Warns of rays that were cut. Throws Failure with --strict.
 void report_cut_rays(const RenderArguments& arguments, const RayCounts& rays);

@@ -115,6 +115,8 @@ void add_convention_arguments(CLI::App& command, SceneArguments& arguments) {
                  "Set one convention (docs/conventions.md lists them; `glint info SCENE` shows the values "
                  "in force); may be repeated"))
         ->option_text("KEY=VALUE");
+    command.add_flag("--skip-unsupported", arguments.skip_unsupported,
+                     "Leave out objects that glint does not render; warnings name and count them");
 }
 
 FileReach reach_of_includes(const SceneArguments& arguments) {
@@ -130,6 +132,7 @@ LoadOptions load_options(const SceneArguments& arguments, TextReader& reader,
     options.scene_name = arguments.scene_name;
     options.max_memory = arguments.max_memory;
     options.declared = arguments.declared;
+    options.skip_unsupported = arguments.skip_unsupported;
     add_profile(arguments.profile, options, reader, profile_file);
     add_conventions(arguments, options);
     return options;

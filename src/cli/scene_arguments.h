@@ -19,6 +19,7 @@ struct SceneArguments {
     std::vector<std::string> include_paths;  // folders
     /// Includes only from the folders of the files and the include paths.
     bool is_confined = false;
+    bool skip_unsupported = false;  ///< of LoadOptions
     bool is_named_by_file = false;  ///< another file names the files, not the user
     std::uint64_t max_memory = 0;   // of LoadOptions
     /// Set by the command from its own options, before load_scene.

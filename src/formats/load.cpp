@@ -49,6 +49,7 @@ class Loader {
                 if (format.finish) format.finish(reading_);
             }
             ask_for_memory(texts_.back());
+            reading_.left_out.report(reading_.diagnostics);
             if (reading_.camera_wanted && !reading_.camera_given && !reading_.scene.camera.frame) {
                 reading_.diagnostics.add(*reading_.camera_wanted);
             }

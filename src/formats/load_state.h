@@ -57,6 +57,24 @@ class LoadMemory : public MemoryBudget {
     std::uint64_t text_bytes_, scene_bytes_ = 0;
 };
 
+/// Objects that LoadOptions::skip_unsupported leaves out, by their kind.
+class LeftOut {
+  public:
+    /// One more of a kind: "a random landscape (`Scape`)". The first one's place is that of the warning.
+    void add(std::string_view kind, InputText where, std::size_t offset, std::size_t length);
+    /// A warning for each kind.
+    void report(Diagnostics& diagnostics) const;
+
+  private:
+    struct Kind {
+        std::string name;
+        InputText where;
+        std::size_t offset = 0, length = 0;
+        std::uint32_t count = 0;
+    };
+    std::vector<Kind> kinds_;  // some tens: those of the format
+};
+
 struct LoadState {
     LoadState(const LoadOptions& load_options, Sources* text_sources, std::uint32_t max_errors,
               std::uint64_t text_bytes)
@@ -72,6 +90,7 @@ struct LoadState {
     Includes includes;
     Scene scene;
     Diagnostics diagnostics;
+    LeftOut left_out;
     // An ordered map, so that no choice of names makes lookups slow.
     CountedMap<std::string, std::uint32_t> materials;  ///< of all texts, by name
     std::shared_ptr<GlintMaterials> glint_materials;   ///< created by the first .glint text

@@ -166,10 +166,13 @@ bool TachyonReader::read_image() {
     return true;
 }
 
-bool TachyonReader::refuse_landscape() { return refuse(object_, "a random landscape (`Scape`)"); }
-bool TachyonReader::refuse_volume() { return refuse(object_, "volumes (`ScalarVol`)"); }
-bool TachyonReader::refuse_polygons() { return refuse(object_, "a file of polygons (`TPolyFile`)"); }
-bool TachyonReader::refuse_clipping() { return refuse(object_, "clipping planes (`Start_ClipGroup`)"); }
+bool TachyonReader::refuse_landscape() { return refuse("a random landscape (`Scape`)"); }
+bool TachyonReader::refuse_volume() { return refuse("volumes (`ScalarVol`)"); }
+bool TachyonReader::refuse_polygons() { return refuse("a file of polygons (`TPolyFile`)"); }
+// What follows, up to End_ClipGroup, is then drawn whole.
+bool TachyonReader::refuse_clipping() {
+    return draw_without(object_, "clipping planes (`Start_ClipGroup`)") && false;
+}
 bool TachyonReader::end_clipping() { return true; }
 
 bool TachyonReader::expect(std::string_view upper, std::string_view name) {
@@ -244,8 +247,30 @@ void TachyonReader::note_limit(TachyonLimit which, const Token& at) {
     if (!first) first = {text_.place, at.offset, at.length};
 }
 
-bool TachyonReader::refuse(const Token& at, std::string_view what) {
-    return error(at, fmt::format("glint does not render {}", what));
+// An object that is left out or an error.
+bool TachyonReader::refuse(std::string_view what) {
+    if (!reading_.options.skip_unsupported) {
+        return error(object_,
+                     fmt::format("glint does not render {}; the option skip-unsupported leaves it out "
+                                 "and draws the rest",
+                                 what));
+    }
+    reading_.left_out.add(fmt::format("{} of Tachyon", what), text_.place, object_.offset, object_.length);
+    return false;
+}
+
+// What objects have: they are drawn without it, or it is an error.
+bool TachyonReader::draw_without(const Token& at, std::string_view what) {
+    if (!reading_.options.skip_unsupported) {
+        return error(
+            at,
+            fmt::format("glint does not render {}; the option skip-unsupported draws the objects without it",
+                        what));
+    }
+    reading_.diagnostics.warn_once(
+        fmt::format("tachyon without {}", what), text_.place, at.offset, at.length,
+        fmt::format("glint does not render {}: the objects are drawn without it", what));
+    return true;
 }
 
 void set_tachyon_defaults(Scene& scene) {

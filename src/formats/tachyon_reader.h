@@ -105,7 +105,8 @@ class TachyonReader {
     bool error(const Token& at, std::string message);
     void warn(const Token& at, std::string message);
     void note_limit(TachyonLimit which, const Token& at);
-    bool refuse(const Token& at, std::string_view what);
+    bool refuse(std::string_view what);
+    bool draw_without(const Token& at, std::string_view what);
 
     LoadState& reading_;
     Scene& scene_;

@@ -33,10 +33,12 @@ bool TachyonReader::read_camera() {
         if (scanner_.accept("ORTHOGRAPHIC")) {
             camera.projection = Projection::orthographic;
         } else if (scanner_.accept("FISHEYE")) {
-            refuse(at, "the projection `Fisheye`");
+            error(at, "glint does not render the projection `Fisheye`");
         } else if (scanner_.accept("PERSPECTIVE_DOF")) {
             double ignored = 0;
-            refuse(at, "depth of field (`Perspective_DoF`)");
+            error(at,
+                  "glint does not render depth of field (`Perspective_DoF`); `Perspective` is sharp "
+                  "everywhere, without FocalLength and Aperture");
             if (!number("FOCALLENGTH", "FocalLength", ignored, k_coordinate) ||
                 !number("APERTURE", "Aperture", ignored, k_coordinate)) {
                 return false;
@@ -143,6 +145,11 @@ bool TachyonReader::read_mode() {
         set("fog_background", "true", mode);
     } else if (is_further_ && scanner_.accept("RESCALE_DIRECT")) {
         return number(state_.light_scale, k_direct);
+    } else if (scanner_.accept("FULL") || scanner_.accept("MEDIUM") || scanner_.accept("LOW") ||
+               scanner_.accept("LOWEST")) {
+        return error(mode,
+                     "`Full`, `Medium`, `Low` or `Lowest` stands before the other modes, directly after "
+                     "`Shader_Mode`");
     } else {
         return expected(
             "`Shadow_Filter_On`, `Shadow_Filter_Off`, `Trans_Max_Surfaces`, `Trans_Orig`, `Trans_Raster3D`, "

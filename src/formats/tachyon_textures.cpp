@@ -134,8 +134,8 @@ bool TachyonReader::texture_function(const Token& at, double function) {
     if (function >= 10 && !point("WAXIS", "Waxis", ignored)) return false;
     const std::string once = fmt::format("tachyon function {}{}", function, image);
     if (refused_.insert(once).second) {
-        refuse(at, fmt::format("{}{} as a texture (`TexFunc {}`)",
-                               k_functions[static_cast<std::size_t>(function)], image, function));
+        draw_without(at, fmt::format("{}{} as a texture (`TexFunc {}`)",
+                                     k_functions[static_cast<std::size_t>(function)], image, function));
     }
     return true;
 }

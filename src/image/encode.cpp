@@ -16,6 +16,23 @@
 namespace glint {
 namespace {
 
+constexpr std::int32_t k_max_jpeg = 65500;                       // libjpeg's limit
+constexpr std::int64_t k_max_bmp = (std::int64_t{1} << 32) / 4;  // pixels, with the ends of rows
+
+// The name of a format that has only 8 bits and no alpha channel here; or null.
+const char* name_of_bytes_only(FileFormat format) {
+    switch (format) {
+        case FileFormat::tga:
+            return "TGA";
+        case FileFormat::bmp:
+            return "BMP";
+        case FileFormat::jpeg:
+            return "JPEG";
+        default:
+            return nullptr;
+    }
+}
+
 // The reason why no encoder can write the picture, or an empty string.
 std::string fault(const Image& image, const EncodeOptions& options) {
     if (image.width < 1 || image.height < 1 || image.width > k_max_size || image.height > k_max_size) {
@@ -25,8 +42,14 @@ std::string fault(const Image& image, const EncodeOptions& options) {
         return "the picture's numbers do not fit its size";
     }
     if (options.bits != 8 && options.bits != 16) return "a channel has 8 or 16 bits";
-    if (options.format == FileFormat::tga && options.bits != 8) return "TGA has 8 bits a channel";
-    if (options.format > FileFormat::tga) return "there is no such file format";
+    if (options.format > FileFormat::jpeg) return "there is no such file format";
+    if (const char* name = name_of_bytes_only(options.format); name != nullptr && options.bits != 8)
+        return std::string(name) + " has 8 bits a channel";
+    if (options.jpeg_quality < 1 || options.jpeg_quality > 100) return "JPEG's quality is from 1 to 100";
+    if (options.format == FileFormat::jpeg && (image.width > k_max_jpeg || image.height > k_max_jpeg))
+        return "JPEG has at most " + std::to_string(k_max_jpeg) + " pixels a side";
+    if (options.format == FileFormat::bmp && std::int64_t{image.width} * image.height > k_max_bmp)
+        return "BMP has at most 4 GiB";
     if (options.transfer > Transfer::srgb) return "there is no such transfer curve";
     if (options.rounding > Rounding::down) return "there is no such rounding";
     if (!(options.gamma > 0 && options.gamma <= 100)) return "gamma: expected a number > 0 and at most 100";
@@ -106,6 +129,14 @@ std::unique_ptr<StripEncoder> make_strip_encoder(std::int32_t width, std::int32_
             return make_ppm_encoder(width, height, options, file);
         case FileFormat::tga:
             return make_tga_encoder(width, height, options, file);
+        case FileFormat::bmp:
+            return make_bmp_encoder(width, height, options, file);
+        case FileFormat::jpeg:
+#if defined(GLINT_WITH_JPEG)
+            return make_jpeg_encoder(width, height, options, file);
+#else
+            break;
+#endif
         case FileFormat::exr:
 #if defined(GLINT_WITH_EXR)
             return make_exr_encoder(width, height, file, alpha);
@@ -148,7 +179,14 @@ Result<std::vector<std::uint8_t>> encode_checked(const Image& image,
 #endif
         case FileFormat::ppm:
         case FileFormat::tga:
+        case FileFormat::bmp:
             return encode_strips(image, {}, options);
+        case FileFormat::jpeg:
+#if defined(GLINT_WITH_JPEG)
+            return encode_strips(image, {}, options);
+#else
+            return not_built("JPEG");
+#endif
         case FileFormat::exr:
 #if defined(GLINT_WITH_EXR)
             return encode_exr(image, alpha);
@@ -175,7 +213,8 @@ Result<std::vector<std::uint8_t>> encode(const Image& image, std::span<const flo
         std::string wrong = fault(image, options);
         if (wrong.empty()) wrong = alpha_fault(image, alpha);
         if (wrong.empty() && options.format == FileFormat::ppm) wrong = "PPM has no alpha channel";
-        if (wrong.empty() && options.format == FileFormat::tga) wrong = "glint writes TGA without alpha";
+        if (const char* name = name_of_bytes_only(options.format); name != nullptr && wrong.empty())
+            wrong = "glint writes " + std::string(name) + " without alpha";
         if (!wrong.empty()) return invalid_argument(std::move(wrong));
         return encode_checked(image, alpha, options);
     });

@@ -14,6 +14,10 @@ std::unique_ptr<StripEncoder> make_ppm_encoder(std::int32_t width, std::int32_t 
                                                const EncodeOptions& options, ByteFile& file);
 std::unique_ptr<StripEncoder> make_tga_encoder(std::int32_t width, std::int32_t height,
                                                const EncodeOptions& options, ByteFile& file);
+std::unique_ptr<StripEncoder> make_bmp_encoder(std::int32_t width, std::int32_t height,
+                                               const EncodeOptions& options, ByteFile& file);
+std::unique_ptr<StripEncoder> make_jpeg_encoder(std::int32_t width, std::int32_t height,
+                                                const EncodeOptions& options, ByteFile& file);
 std::unique_ptr<StripEncoder> make_exr_encoder(std::int32_t width, std::int32_t height, ByteFile& file,
                                                bool alpha);
 

@@ -43,6 +43,8 @@ export interface OpenRequest {
     settings?: Record<string, string>;
     /** The most bytes that reading may take; default: 384 MiB and 64 times the length of the texts, at most 768 MiB. */
     maxMemory?: number;
+    /** Objects that glint does not render are left out, with warnings that name and count them; else they are errors. */
+    skipUnsupported?: boolean;
 }
 
 export interface PrepareRequest {

@@ -95,6 +95,8 @@ Result<Scene> load(const RequestTexts& texts, const json& request, std::vector<s
     options.scene_name = string_member(request, "scene");
     if (const json& most = member(request, "maxMemory"); most.is_number() && most.get<double>() >= 1)
         options.max_memory = static_cast<std::uint64_t>(std::min(most.get<double>(), 1e15));
+    const json& skips = member(request, "skipUnsupported");
+    options.skip_unsupported = skips.is_boolean() && skips.get<bool>();
     const json& settings = member(request, "settings");
     if (settings.is_object()) {
         for (const auto& [key, value] : settings.items()) options.settings.emplace_back(key, text_of(value));

@@ -199,7 +199,8 @@ TEST_F(CommandLines, OfGlintPovray) {
         {{"a.pov", "+FX"}, 1, "'.FX': glint-povray writes N"},
         {{"a.pov", "+FN8g"}, 1, "'.FN8g': expected a number"},
         {{"a.pov", "+Q99"}, 1, "'.Q99': expected a number from 0 to 11"},
-        {{"a.pov", "+KFF3"}, 1, "renders one picture, no animation"},
+        {{"a.pov", "+KFFx"}, 1, "'.KFFx': expected a number"},
+        {{"a.pov", "+SC9", "+EC3"}, 1, "expected a part of the .* pixels: the first column"},
         {{"a.pov", "+Kx"}, 1, "'.Kx': expected a number"},
         {{"a.pov", "+L"}, 1, "'.L': expected a folder"},
         {{"a.pov", "+W0"}, 1, "a width and a height above 0"},
@@ -219,7 +220,7 @@ TEST_F(CommandLines, OfGlintTachyon) {
         {{"a.dat", "-o", ""}, 255, "-o: expected a value, found nothing"},
         {{"a.dat", "-res", "3"}, 255, "-res: expected a value, found nothing"},
         {{"a.dat", "-res", "x", "y"}, 255, "-res: expected a number >= 0, found 'x'"},
-        {{"a.dat", "-format", "JPG"}, 255, "writes TARGA, PNG, PPM and PPM48, found 'JPG'"},
+        {{"a.dat", "-format", "JPG"}, 255, "writes TARGA, PNG, PPM, PPM48, BMP and JPEG, found 'JPG'"},
         {{"a.dat", "-numthreads", "9999"}, 255, "whole number from 0 to 1024, found '9999'"},
         {{"a.dat", "-aasamples", "-1"}, 255, "-aasamples: expected a number >= 0, found '-1'"},
         {{"a.dat", "-rescale_lights", "nan"}, 255, "-rescale_lights: expected a number >= 0, found 'nan'"},
@@ -229,6 +230,57 @@ TEST_F(CommandLines, OfGlintTachyon) {
         {{"a.dat", "-fullshad"}, 255, "did you mean `-fullshade`"},
     };
     expect_all_refused(lines, GLINT_TACHYON);
+}
+
+Finished run_program(const Folder& folder, const std::vector<std::string>& arguments,
+                     const std::string& program) {
+    RunOptions options;
+    options.program = program;
+    return Process(folder, arguments, options).finish();
+}
+
+// Sage reads standard output, and takes its last line for an error; it shows the text only if the code is 0.
+TEST_F(CommandLines, InTachyonsPlaceRefusesAsTachyon) {
+    const Folder folder;
+    std::filesystem::create_symlink(GLINT_TACHYON, folder.path("tachyon"));
+    folder.write("a.dat", "Begin_Scene Resolution 4 4 Blub End_Scene\n");
+    const auto run = [&](const std::vector<std::string>& arguments) {
+        return run_program(folder, arguments, folder.path("tachyon"));
+    };
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"a.dat"}, {"none.dat"}, {"a.dat", "-bogus"}}) {
+        const Finished r = run(words);
+        EXPECT_EQ(r.code, 0);
+        EXPECT_TRUE(r.out.ends_with("Aborting render.\n")) << r.out;
+        EXPECT_EQ(r.out, r.err + "Aborting render.\n");
+        EXPECT_FALSE(r.err.empty());
+    }
+    folder.write("b.dat", "Begin_Scene Resolution 4 4 Scape Res 3 3 End_Scene\n");
+    const Finished done = run({"b.dat", "--skip-unsupported", "-format", "BMP", "-o", "b.bmp"});
+    EXPECT_EQ(done.code, 0) << done.err;
+    EXPECT_TRUE(contains(done.out, "b.bmp  is without 1 object that glint does not render")) << done.out;
+    EXPECT_EQ(folder.read("b.bmp").size(), 54u + 48u);
+    const Finished stream = run({"b.dat", "--skip-unsupported", "-o", "-"});
+    EXPECT_EQ(stream.out.size(), 18u + 48u) << "nothing but the picture";
+    EXPECT_EQ(run_program(folder, {"a.dat"}, GLINT_TACHYON).code, 255);
+}
+
+TEST_F(CommandLines, PovrayRendersFramesAndParts) {
+    const Folder folder;
+    folder.write("a.pov",
+                 "camera { location <0, 0, -5> look_at 0 } background { rgb 1 }\n"
+                 "#if (frame_number > 1) sphere { 0, 9 } #end\n");
+    const auto run = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.end(), {"a.pov", "+W4", "+H2", "+FP"});
+        return run_program(folder, arguments, GLINT_POVRAY);
+    };
+    const Finished frames = run({"+KFF2"});
+    EXPECT_EQ(frames.code, 0) << frames.err;
+    const std::string head = "P6\n4 2\n255\n", white(3, '\xff'), black(3, '\0');
+    EXPECT_EQ(folder.read("a1.ppm"), head + std::string(24, '\xff'));
+    EXPECT_EQ(folder.read("a2.ppm"), head + std::string(24, '\0'));
+    EXPECT_EQ(run({"+SC2", "+EC3", "+SR2"}).code, 0);
+    EXPECT_EQ(folder.read("a.ppm"), head + black + black + black + black + black + white + white + black);
 }
 
 // What rank 0 of glint-mpi prints.

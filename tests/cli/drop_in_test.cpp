@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // glint-tachyon and glint-povray: other programs' command lines.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "cli/drop_in.h"
@@ -107,6 +108,10 @@ TEST(TachyonDropIn, TakesTheLinesOfUsers) {
 TEST(TachyonDropIn, NamesThePictureByTheFormat) {
     EXPECT_EQ(cli::tachyon_drop_in({"a.dat", "-format", "PNG"}).render.output, "outfile.png");
     EXPECT_EQ(cli::tachyon_drop_in({"a.dat", "-format", "ppm48"}).render.output, "outfile.ppm");
+    EXPECT_EQ(cli::tachyon_drop_in({"a.dat", "-format", "BMP"}).render.output, "outfile.bmp");
+    EXPECT_EQ(cli::tachyon_drop_in({"a.dat", "-format", "jpeg"}).render.output, "outfile.jpg");
+    EXPECT_EQ(cli::tachyon_drop_in({"a.dat", "-format", "JPEG", "-o", "x.tga"}).render.numbers.format,
+              FileFormat::jpeg);
     EXPECT_EQ(cli::tachyon_drop_in({"a.dat", "-format", "PNG", "-o", "x.tga"}).render.numbers.format,
               FileFormat::png);
     EXPECT_EQ(cli::tachyon_drop_in({"-nosave", "a.dat", "-o", "x.tga"}).render.output, "/dev/null");
@@ -144,8 +149,9 @@ TEST(TachyonDropIn, NamesWhatItDoesNotKnow) {
               "-aasamples: expected a value, found nothing");
     EXPECT_EQ(failure_of(cli::tachyon_drop_in, {"a.dat", "-raydepth", "x"}),
               "-raydepth: expected a number >= 0, found 'x'");
-    EXPECT_EQ(failure_of(cli::tachyon_drop_in, {"a.dat", "-format", "BMP"}),
-              "-format: glint-tachyon writes TARGA, PNG, PPM and PPM48, found 'BMP'");
+    EXPECT_EQ(failure_of(cli::tachyon_drop_in, {"a.dat", "-format", "RGB"}),
+              "-format: glint-tachyon writes TARGA, PNG, PPM, PPM48, BMP and JPEG, found 'RGB'; PNG loses "
+              "nothing");
     EXPECT_EQ(cli::tachyon_drop_in({"a.dat", "-normalize"}).warnings.size(), 1u);
     EXPECT_EQ(cli::tachyon_drop_in({"a.dat", "-nobounding", "-boundthresh", "9", "+V"}).warnings.size(), 0u);
 }
@@ -266,14 +272,98 @@ TEST_F(Povray, DeclaresNumbers) {
               "'Declare=Big': expected NAME=NUMBER");
 }
 
+std::string frames_text(const DropIn& d) {
+    std::string text;
+    for (const cli::DropInFrame& frame : d.frames) {
+        text += frame.output;
+        for (const auto& [name, value] : frame.declared)
+            if (name == "clock" || name == "final_frame") text += fmt::format(" {:.4g}", value);
+        text += "; ";
+    }
+    return text;
+}
+
+// Names, clocks and final_frame are POV-Ray's (measured).
+TEST_F(Povray, TakesAnimations) {
+    const auto frames = [](std::vector<std::string> words) {
+        words.insert(words.end(), {"+Ia.pov", "+Oq"});
+        return frames_text(cli::povray_drop_in(words));
+    };
+    EXPECT_EQ(frames({}), "");
+    EXPECT_EQ(frames({"+KI3", "+KF4", "+SF2"}), "") << "not an animation";
+    EXPECT_EQ(frames({"+KFF0"}), "");
+    EXPECT_EQ(frames({"+KFF3"}), "q1.png 0 3; q2.png 0.5 3; q3.png 1 3; ");
+    EXPECT_EQ(frames({"+KFI2", "+KFF4"}), "q2.png 0 4; q3.png 0.5 4; q4.png 1 4; ");
+    EXPECT_EQ(frames({"+KI2", "+KF5", "+KFF3", "+K7"}), "q1.png 2 3; q2.png 3.5 3; q3.png 5 3; ");
+    EXPECT_EQ(frames({"+KFF2", "Cyclic_Animation=on"}), "q1.png 0 3; q2.png 0.5 3; ");
+    EXPECT_EQ(frames({"+KFF5", "Frame_Step=2"}), "q1.png 0 5; q3.png 0.5 5; q5.png 1 5; ");
+    EXPECT_EQ(frames({"+KFF12", "+SF12"}), "q12.png 1 12; ");
+    EXPECT_EQ(frames({"+KFF11", "+EF1"}), "q01.png 0 11; ");
+    EXPECT_EQ(frames({"+KFF9", "+KC", "+EF1"}), "q01.png 0 10; ");
+    EXPECT_EQ(frames({"+KFI5", "+KFF14", "+SF0.3", "+EF0.55"}), "q05.png 0 14; ");
+    EXPECT_EQ(frames({"+KFF9", "+SF0.9"}), "q8.png 0.875 9; q9.png 1 9; ");
+    EXPECT_EQ(frames({"+KFI5"}), "q5.png 0 5; ");
+    EXPECT_EQ(cli::povray_drop_in({"a.pov", "+KFI5"}).warnings.size(), 1u);
+    EXPECT_EQ(cli::povray_drop_in({"a.pov", "+KFF3"}).warnings.size(), 0u);
+    EXPECT_EQ(frames_text(cli::povray_drop_in({"a.pov", "+KFF2", "-F"})), "/dev/null 0 2; /dev/null 1 2; ");
+}
+
+// The columns and rows that POV-Ray renders, at 40x30 (measured).
+TEST_F(Povray, TakesPartsOfPictures) {
+    const auto crop = [](std::vector<std::string> words) {
+        words.insert(words.end(), {"a.pov", "+W40", "+H30"});
+        const DropIn d = cli::povray_drop_in(words);
+        EXPECT_EQ(d.render.keeps_size, !d.render.crop.empty());
+        return d.render.crop;
+    };
+    EXPECT_EQ(crop({"+SC1", "+EC1"}), "") << "1 as an end is the whole";
+    EXPECT_EQ(crop({"+SC10", "+EC20"}), "11x30+9+0");
+    EXPECT_EQ(crop({"+SC0.25", "+EC0.5", "+SR0.5"}), "10x15+10+15");
+    EXPECT_EQ(crop({"+SC0.26", "+EC0.54"}), "11x30+10+0");
+    EXPECT_EQ(crop({"+SR5", "+ER10"}), "40x6+0+4");
+    EXPECT_EQ(crop({"+SC0", "+EC10"}), "10x30+0+0");
+    EXPECT_EQ(crop({"+SC0.999"}), "1x30+39+0");
+    EXPECT_EQ(crop({"Start_Column=10", "End_Column=10", "+SR3", "+ER3"}), "1x1+9+2");
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"a.pov", "+W40", "+H30", "+EC41"},
+                                                  {"a.pov", "+W40", "+H30", "+SC41"},
+                                                  {"a.pov", "+W40", "+H30", "+EC0"},
+                                                  {"a.pov", "+W40", "+H30", "+SR20", "+ER10"}})
+        EXPECT_TRUE(contains(failure_of(cli::povray_drop_in, words), "expected a part of the 40x30 pixels"));
+}
+
+TEST_F(Povray, TakesJpegAndItsCompression) {
+    const DropIn d = cli::povray_drop_in({"a.pov", "+FJ80"});
+    EXPECT_EQ(d.render.output, "a.jpg");
+    EXPECT_EQ(d.render.numbers.format, FileFormat::jpeg);
+    EXPECT_EQ(d.render.numbers.jpeg_quality, 85) << "as in POV-Ray, the number has no effect";
+    EXPECT_EQ(cli::povray_drop_in({"a.pov", "Compression=40"}).render.numbers.jpeg_quality, 40);
+    EXPECT_EQ(cli::povray_drop_in({"a.pov", "Compression=0"}).render.numbers.jpeg_quality, 85);
+    EXPECT_EQ(cli::povray_drop_in({"a.pov", "+FB"}).render.output, "a.bmp");
+}
+
+TEST_F(Povray, HidesWarningsAtLevel0) {
+    EXPECT_TRUE(cli::povray_drop_in({"a.pov", "+WL0"}).render.hides_warnings);
+    EXPECT_FALSE(cli::povray_drop_in({"a.pov", "+WL5"}).render.hides_warnings);
+    EXPECT_FALSE(cli::povray_drop_in({"a.pov"}).render.hides_warnings);
+}
+
+TEST_F(Povray, LeavesOutWhatIsAsked) {
+    EXPECT_TRUE(cli::povray_drop_in({"a.pov", "--skip-unsupported"}).render.scene.skip_unsupported);
+    EXPECT_TRUE(cli::tachyon_drop_in({"--skip-unsupported", "a.dat"}).render.scene.skip_unsupported);
+    EXPECT_FALSE(cli::povray_drop_in({"a.pov"}).render.scene.skip_unsupported);
+}
+
 TEST_F(Povray, NamesWhatItDoesNotKnow) {
     EXPECT_EQ(failure_of(cli::povray_drop_in, {"+W40"}), "expected the name of a scene: +Iscene.pov");
     EXPECT_EQ(failure_of(cli::povray_drop_in, {"a.pov", "+Zork"}), "unknown switch '+Zork'");
     EXPECT_EQ(failure_of(cli::povray_drop_in, {"a.pov", "Foo=1"}), "unknown key 'Foo'");
-    EXPECT_EQ(failure_of(cli::povray_drop_in, {"a.pov", "+KFF10"}),
-              "'+KFF10': glint-povray renders one picture, no animation");
-    EXPECT_EQ(failure_of(cli::povray_drop_in, {"a.pov", "+FJ"}),
-              "'+FJ': glint-povray writes N (PNG), T (TGA), P (PPM) and E (OpenEXR)");
+    EXPECT_EQ(failure_of(cli::povray_drop_in, {"a.pov", "+FH"}),
+              "'+FH': glint-povray writes N (PNG), T (TGA), P (PPM), E (OpenEXR), J (JPEG) and B (BMP)");
+    EXPECT_EQ(failure_of(cli::povray_drop_in, {"a.pov", "Clock_Delta=2"}), "unknown key 'Clock_Delta'");
+    EXPECT_EQ(failure_of(cli::povray_drop_in, {"a.pov", "+KFF3", "+O-"}),
+              "an animation is several files: name them with +O");
+    EXPECT_EQ(failure_of(cli::povray_drop_in, {"a.pov", "+KFF3", "+SF4"}),
+              "+SF, +EF: expected some of the animation's frames, found none");
     folder_.write("bad.ini", "Width=40\nWidht=3\n");
     EXPECT_EQ(failure_of(cli::povray_drop_in, {folder_.path("bad.ini")}),
               folder_.path("bad.ini") + ":2: unknown key 'Widht'");

@@ -22,6 +22,38 @@ TEST(PovRayFunctions, AreCalledAsNumbers) {
     EXPECT_EQ(value_after("#declare F = function(x) { (1 < x) + (x = 2)*10 }", "F(2)"), 11);
 }
 
+// tests/peers has the same in a picture.
+TEST(PovRayFunctions, NumbersNearZeroAreFalseButNotEqual) {
+    const auto truths = [](const std::string& number) {
+        std::string text;
+        for (const char* test : {" & 1", " | 0", " > 0", " < 0", " = 0", " >= 0", " <= 0"})
+            text += value_after("", "(" + number + test + ")") != 0 ? '1' : '0';
+        return text;
+    };
+    EXPECT_EQ(truths("1.1e-10"), "1110010");
+    EXPECT_EQ(truths("1e-10"), "0010111");
+    EXPECT_EQ(truths("1e-13"), "0010111");
+    EXPECT_EQ(truths("0"), "0000111");
+    EXPECT_EQ(truths("-1e-11"), "0001111");
+    EXPECT_EQ(truths("-1e-9"), "1101001");
+}
+
+TEST(PovRayFunctions, LogicIsTermByTerm) {
+    const auto sum = [](const std::string& vector) {
+        return value_after("#declare V = " + vector + ";", "V.x + 10*V.y + 100*V.z");
+    };
+    EXPECT_EQ(sum("(<1, 0, 3> & <0, 2, 3>)"), 100);
+    EXPECT_EQ(sum("(<1, 0, 3> | <0, 2, 3>)"), 111);
+    EXPECT_EQ(sum("(<1, 0, 3> < <0, 2, 3>)"), 10);
+    EXPECT_EQ(sum("(1 & <1, 0, 3>)"), 101);
+}
+
+TEST(PovRayFunctions, ArcsBeyondOneAreThoseOfOne) {
+    EXPECT_EQ(value_after("", "asin(2)"), value_after("", "asin(1)"));
+    EXPECT_EQ(value_after("", "acos(-1.5)"), value_after("", "acos(-1)"));
+    EXPECT_EQ(value_after("", "acos(2)"), 0);
+}
+
 TEST(PovRayFunctions, KeepTheNumbersOfTheirDeclaration) {
     EXPECT_EQ(value_after("#declare A = 3; #declare F = function(x) { A*x } #declare A = 4;", "F(5)"), 15);
     EXPECT_EQ(value_after("#macro M(Q) function(a) { Q*a } #end #declare F = M(3)", "F(5)"), 15);

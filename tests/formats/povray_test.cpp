@@ -373,16 +373,22 @@ TEST_P(PovRayMistakes, AreReportedAtTheirPlace) { expect_messages(GetParam(), "a
 INSTANTIATE_TEST_SUITE_P(
     PovRay, PovRayMistakes,
     testing::Values(
-        BadText{"Torus", L "$torus { 1, .2 }", {"glint does not render `torus` (a shape) of POV-Ray"}},
+        BadText{"Torus",
+                L "$torus { 1, .2 }",
+                {"glint does not render `torus` (a shape) of POV-Ray; the option skip-unsupported leaves it "
+                 "out and draws the rest"}},
         BadText{"Difference",
                 L "sphere { 0, 1 }\nunion { $difference { box { 0, 1 } sphere { 0, 1 } } }",
-                {"glint does not render `difference` (a solid made of others) of POV-Ray"}},
+                {"glint does not render `difference` (a solid made of others) of POV-Ray; the option "
+                 "skip-unsupported leaves it out and draws the rest"}},
         BadText{"Normal",
                 L "sphere { 0, 1 pigment { rgb 1 } $normal { bumps .4 } }",
                 {"glint does not render `normal` (a material) of POV-Ray: the picture will differ"}},
         BadText{"Clip",
                 L "sphere { 0, 2 $clipped_by { box { -1, 1 } } }",
-                {"glint does not render `clipped_by` (a part of a shape) of POV-Ray"}},
+                {"glint does not render `clipped_by` (a part of a shape) of POV-Ray; the object is cut where "
+                 "the picture shows it: take the `clipped_by` out of the text, or draw the whole object with "
+                 "the option skip-unsupported"}},
         BadText{"Undeclared",
                 L "sphere { 0, 1 pigment { color $Red } }",
                 {"expected a color, found 'Red', which is not declared"}},

@@ -460,24 +460,30 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadText{"checker",
                 DAT_SCENE DAT_BODY "$1 " DAT_CRS DAT_SPHERE,
-                {"glint does not render the checker as a texture (`TexFunc 1`)"}},
+                {"glint does not render the checker as a texture (`TexFunc 1`); the option skip-unsupported "
+                 "draws the objects without it"}},
         BadText{"image",
                 DAT_SCENE DAT_BODY "$7 a.ppm " DAT_CRS DAT_BODY "7 a.ppm " DAT_CRS DAT_BODY
                                    "$9 b.ppm " DAT_CRS "Uaxis 1 0 0 Vaxis 0 1 0 ",
-                {"glint does not render an image on a cylinder 'a.ppm' as a texture (`TexFunc 7`)",
-                 "glint does not render an image on a plane 'b.ppm' as a texture (`TexFunc 9`)"}},
+                {"glint does not render an image on a cylinder 'a.ppm' as a texture (`TexFunc 7`); the "
+                 "option skip-unsupported draws the objects without it",
+                 "glint does not render an image on a plane 'b.ppm' as a texture (`TexFunc 9`); the option "
+                 "skip-unsupported draws the objects without it"}},
         BadText{"image_mistake",
                 DAT_SCENE DAT_BODY "7 a.ppm Center 0 0 0 $Scale 1 1 1 ",
                 {"expected `Rotate`, found 'Scale'"}},
         BadText{"scape",
                 DAT_SCENE "$Scape Res 4 4 Scale 1 1 Center 0 0 0 t\n" DAT_SPHERE,
-                {"glint does not render a random landscape (`Scape`)"}},
+                {"glint does not render a random landscape (`Scape`); the option skip-unsupported leaves it "
+                 "out and draws the rest"}},
         BadText{"volume",
                 DAT_SCENE "$ScalarVol Min 0 0 0 Max 1 1 1 Dim 2 2 2 File v t\n" DAT_SPHERE,
-                {"glint does not render volumes (`ScalarVol`)"}},
+                {"glint does not render volumes (`ScalarVol`); the option skip-unsupported leaves it out and "
+                 "draws the rest"}},
         BadText{"clipping",
                 DAT_SCENE "$Start_ClipGroup NumPlanes 1 1 0 0 0\n" DAT_SPHERE "End_ClipGroup",
-                {"glint does not render clipping planes (`Start_ClipGroup`)"}},
+                {"glint does not render clipping planes (`Start_ClipGroup`); the option skip-unsupported "
+                 "draws the objects without it"}},
         BadText{"fisheye",
                 DAT_BEGIN
                 "Camera Projection $Fisheye Zoom 1 Aspectratio 1 Antialiasing 0 Raydepth 5 Center 0 0 "
@@ -488,7 +494,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "Camera Projection $Perspective_DoF FocalLength 1 Aperture 64 Zoom 1 Aspectratio 1 "
                 "Antialiasing 0 "
                 "Raydepth 5 Center 0 0 0 Viewdir 0 0 1 Updir 0 2 0 End_Camera " DAT_LIGHT DAT_SPHERE,
-                {"glint does not render depth of field (`Perspective_DoF`)"}}),
+                {"glint does not render depth of field (`Perspective_DoF`); `Perspective` is sharp "
+                 "everywhere, without FocalLength and Aperture"}}),
     test_name);
 
 }  // namespace

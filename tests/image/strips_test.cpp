@@ -33,7 +33,8 @@ TEST(Strips, GiveTheBytesOfTheWhole) {
         for (const EncodeOptions& options :
              {EncodeOptions{FileFormat::png, 8, Transfer::none},
               EncodeOptions{FileFormat::png, 16, Transfer::srgb},
-              EncodeOptions{FileFormat::ppm, 16, Transfer::none}, EncodeOptions{FileFormat::exr}}) {
+              EncodeOptions{FileFormat::ppm, 16, Transfer::none}, EncodeOptions{FileFormat::bmp},
+              EncodeOptions{FileFormat::jpeg}, EncodeOptions{FileFormat::exr}}) {
             const auto whole = encode(image, options);
             if (!whole) continue;  // a build without the format
             std::vector<std::uint8_t> bytes;

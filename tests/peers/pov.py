@@ -42,6 +42,12 @@ RULES = [
     sky("one_period", f"pigment {{ gradient y {MAP.replace('[0', '[0.3').replace('[1', '[0.8')} scale 2 translate -1 }}"),
     sky("turned", f"pigment {{ gradient <1, 2, 0> {MAP} scale 0.9 rotate 30*z }} rotate <10, 20, 30>"),
     sky("color", "pigment { rgb <0.3, 0.5, 0.7> }"),
+    rule("logic", FLOOR + "#macro Ball(N, C) sphere { <mod(N, 6)*0.6 - 1.5, div(N, 6)*0.7 - 0.6, 0>, 0.28 "
+         "pigment { rgb 0.2 + 0.6*C } } #end\n"
+         "#declare A = array[8] { 1e-9, 1.1e-10, 1e-10, 1e-11, 0, -1e-11, -1e-9, 1 };\n"
+         "#for (I, 0, 7) Ball(I, <(A[I] & 1), (A[I] | 0), (A[I] > 0)>) Ball(I + 8, <(A[I] < 0), (A[I] = 0), (A[I] >= 0)>) #end\n"
+         "Ball(16, (<1, 0, 3> & <0, 2, 3>)) Ball(17, (<1, 0, 3> | <0, 0, 3>)) Ball(18, (<1, 0, 3> < <0, 2, 3>))\n"
+         "Ball(19, <asin(2), acos(2), acos(-2)>/4) Ball(20, <asin(-2), acos(-1.1), 0>/4) Ball(21, !<1, 0, 1e-11>)\n"),
     rule("normals", smooth(SHINE)),
     rule("normals_scaled", smooth("scale <1, 1.2, 3> " + SHINE)),
     rule("normals_mesh", f"mesh {{ {smooth('')} scale <1, 1.2, 0.4> {SHINE} }}\n"),

@@ -404,6 +404,18 @@ test('reading a scene has a limit of memory', () => {
     usual.close();
 });
 
+test('objects that glint does not render are left out if the request asks for it', () => {
+    const texts = [{name: 'a.pov', text: 'torus { 1, .2 } sphere { 0, 1 }'}];
+    const whole = glint.open({texts});
+    assert.equal(whole.report.ready, false);
+    assert.match(whole.report.diagnostics[0].message, /does not render `torus`.*the option skip-unsupported leaves it out/);
+    whole.close();
+    const rest = glint.open({texts, skipUnsupported: true});
+    assert.equal(rest.report.ready, true);
+    assert.match(rest.report.diagnostics[0].message, /left out 1 object that glint does not render: `torus`/);
+    rest.close();
+});
+
 test('an instance whose memory runs out ends', async () => {
     const ended = await load(pathToFileURL(process.env.GLINT_WASM));
     const text = ' '.repeat(4e8);  // several copies of it exist while it is read

@@ -63,7 +63,7 @@ std::shared_ptr<const Clip> Reader::clip_of(const Object& clip, const Object& ob
     auto out = make_counted<Clip>();
     out->map = object.map;
     out->missing = missing(at, "clipped_by");
-    out->missing.is_error = true;
+    out->missing.is_error = !reading_.options.skip_unsupported;
     Vec3 lo, hi;
     if (clip.map || !clip.missing.empty() || !bounds_of(object, lo, hi)) return out;
     const auto least = [](double n, double a, double b) { return std::max(n * a, n * b); };

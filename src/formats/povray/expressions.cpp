@@ -14,7 +14,16 @@ namespace {
 constexpr double k_greatest = 1e300;
 
 // A number that counts as false in POV-Ray.
-bool is_false(double x) { return x < 1e-10 && x > -1e-10; }
+bool is_false(double x) { return x <= 1e-10 && x >= -1e-10; }
+
+// Each term of two values by `use`, as 1 or 0.
+template <class Use> Numbers truths(Numbers a, Numbers b, Use use) {
+    const int terms = std::max(a.terms, b.terms);
+    a = promoted(a, terms);
+    b = promoted(b, terms);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(terms); ++i) a.v[i] = use(a.v[i], b.v[i]) ? 1 : 0;
+    return a;
+}
 
 }  // namespace
 
@@ -210,8 +219,9 @@ Numbers Reader::full_expression() {
     Numbers value = comparison();
     while (!failed_ && (peek().is('&') || peek().is('|'))) {
         const bool is_and = take().symbol == '&';
-        const bool left = !is_false(value.v[0]), right = !is_false(comparison().v[0]);
-        value = is_and ? (left && right ? 1.0 : 0.0) : (left || right ? 1.0 : 0.0);
+        value = truths(value, comparison(), [&](double a, double b) {
+            return is_and ? !is_false(a) && !is_false(b) : !is_false(a) || !is_false(b);
+        });
     }
     if (!failed_ && peek().is('?')) {
         const Deeper deeper(*this);
@@ -256,24 +266,36 @@ Numbers Reader::comparison() {
         if (failed_ || (op != '<' && op != '>' && op != '=' && op != 'l' && op != 'g' && op != 'n'))
             return value;
         take();
-        const double a = value.v[0], b = expression().v[0];
-        const bool is_equal = is_exact ? a == b : is_false(a - b);
-        value = op == '<'   ? a < b && !is_equal
-                : op == '>' ? a > b && !is_equal
-                : op == '=' ? is_equal
-                : op == 'n' ? !is_equal
-                : op == 'l' ? a < b || is_equal
-                            : a > b || is_equal;
+        // Numbers that are equal but for 1e-10 are still less or greater (POV-Ray, measured).
+        value = truths(value, expression(), [&](double a, double b) {
+            const bool is_equal = is_exact ? a == b : is_false(a - b);
+            return op == '<'   ? a < b
+                   : op == '>' ? a > b
+                   : op == '=' ? is_equal
+                   : op == 'n' ? !is_equal
+                   : op == 'l' ? a < b || is_equal
+                               : a > b || is_equal;
+        });
     }
+}
+
+// Whether the token after `skipped` others of this frame ends an expression that began before.
+bool Reader::is_end_of_number(std::uint32_t skipped) const {
+    const Frame& frame = frames_.back();
+    if (frame.at + skipped >= frame.end) return false;
+    const Token& next = frame.tokens[frame.at + skipped];
+    return next.is(',') || next.is('>') || next.is('}');
 }
 
 // An expression of one term.
 double Reader::number() {
-    const Token& token = peek();
-    if (token.kind == TokenKind::number && !at_frame_end() && (raw().is(',') || raw().is('>'))) {
-        return take().number;  // most numbers of large texts
+    // Most numbers of large texts, also those below 0.
+    if (peek().kind == TokenKind::number && is_end_of_number(0)) return take().number;
+    if (peek().is('-') && raw().kind == TokenKind::number && is_end_of_number(1)) {
+        take();
+        return -take().number;
     }
-    const Token at = token;
+    const Token at = peek();
     const Numbers value = expression();
     if (value.terms > 1 && !failed_) error(at, "expected a number, found a vector");
     return value.v[0];

@@ -87,7 +87,7 @@ Numbers Reader::function(const Token& name) {
         case Word::k_frame_number:
         case Word::k_initial_clock:
         case Word::k_final_clock:
-            return 0.0;
+            return declared_number(to_string(name.word())).value_or(0);
         case Word::k_version:
             return version_.value_or(3.7);
         case Word::k_image_width:

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "base/text.h"
@@ -10,6 +11,9 @@
 
 namespace glint::povray {
 namespace {
+
+constexpr std::size_t k_first_tokens = 4096;
+constexpr double k_spare_room = 1.02;  // of the estimate
 
 bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
@@ -25,7 +29,7 @@ class Lexer {
         if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
             fail(begin_, 1, "expected UTF-8, found UTF-16");
         }
-        out_.tokens.reserve(text.size() / 6 + 16);
+        out_.tokens.reserve(std::min(text.size(), k_first_tokens));
     }
 
     LexedText run() {
@@ -49,7 +53,19 @@ class Lexer {
                       static_cast<std::uint32_t>(length)};
     }
 
+    // Room for all tokens, if the rest of the text has as many as what has been read: to copy them as the
+    // list grows takes longer than to read them.
+    void make_room() {
+        const auto read = static_cast<double>(at_ - begin_), size = static_cast<double>(out_.tokens.size());
+        const double more = size / std::max(read, 1.0) * static_cast<double>(end_ - at_) * k_spare_room;
+        const auto room = out_.tokens.size() + static_cast<std::size_t>(more) + 16;
+        const MemoryBudget* memory = MemoryBudget::current();
+        if (memory == nullptr || memory->has_room(MemoryBudget::list_bytes(room, sizeof(Token))))
+            out_.tokens.reserve(room);
+    }
+
     Token& add(TokenKind kind, const char* from) {
+        if (out_.tokens.size() == out_.tokens.capacity()) make_room();
         Token& token = out_.tokens.emplace_back();
         token.kind = kind;
         token.offset = static_cast<std::uint32_t>(from - begin_);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "base/text.h"
 #include "formats/povray/add_shape.h"
@@ -28,9 +29,25 @@ bool same_light(const Finish& a, const Finish& b) {
            a.reflection_max == b.reflection_max && a.reflection_min == b.reflection_min;
 }
 
+// Whether a shape of the same material has the same warnings: those that the material does not decide are of
+// what these have.
+bool has_nothing_else(const Texture& texture, const Opaque* interior, bool is_merge) {
+    return texture.missing.empty() && !texture.pigment.missing && texture.finish.missing.empty() &&
+           !texture.finish.has_no_refraction && !texture.is_layered && interior == nullptr && !is_merge;
+}
+
 double largest(Color c) { return std::max({c.r, c.g, c.b}); }
 
 }  // namespace
+
+std::size_t Reader::MaterialHash::operator()(const MaterialKey& key) const {
+    std::uint64_t hash = 0;
+    for (const double x : key.values) {
+        hash = (hash ^ std::bit_cast<std::uint64_t>(x == 0 ? 0.0 : x)) * 0x9e3779b97f4a7c15u;
+        hash ^= hash >> 32;
+    }
+    return static_cast<std::size_t>(hash);
+}
 
 std::uint32_t Reader::material_of(const Inherited& own, const Token& at) {
     const Texture& texture = *own.texture;
@@ -70,8 +87,12 @@ std::uint32_t Reader::material_of(const Inherited& own, const Token& at) {
                            f.reflection_fresnel ? 1.0 : 0.0,
                            f.conserve_energy ? 1.0 : 0.0,
                            glass > 0 ? own.interior->ior : 0.0}};
+    const bool is_last = last_material_ != k_none && key == last_key_;
+    if (is_last && is_last_plain_ && has_nothing_else(texture, own.interior, own.is_merge))
+        return last_material_;
     report_texture(own, at);
-    if (last_material_ != k_none && key.values == last_key_.values) return last_material_;
+    is_last_plain_ = has_nothing_else(texture, own.interior, own.is_merge);
+    if (is_last) return last_material_;
     last_key_ = key;
     const auto known = materials_.find(key);
     if (known != materials_.end()) return last_material_ = known->second;
@@ -262,7 +283,12 @@ void Reader::add_blended_face(const Object& o, const Inherited& own, const Mesh:
     };
     const auto has_room = [&](int parts) {
         shapes_ += static_cast<std::uint64_t>(parts);
-        if (shapes_ > max_shapes()) error(o.at, fmt::format("more than {} shapes", max_shapes()));
+        if (shapes_ > max_shapes()) {
+            error(o.at, fmt::format("the colors of this mesh take more than {} triangles: glint draws a face "
+                                    "with several colors as many small triangles of one color; try fewer "
+                                    "faces, or one texture for each face",
+                                    max_shapes()));
+        }
         return !failed_;
     };
     const int steps = static_cast<int>(std::min(most, 10.0) * 170) + 1;

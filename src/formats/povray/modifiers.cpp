@@ -108,7 +108,7 @@ bool Reader::read_modifier(Object& object) {
     }
 }
 
-// { objects }, after clipped_by: an error unless the objects hold the whole shape.
+// { objects }, after clipped_by: reported unless the objects hold the whole shape.
 void Reader::read_clip(Object& object) {
     const Token at = ahead_;
     if (!expect('{')) return;

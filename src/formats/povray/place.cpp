@@ -20,6 +20,26 @@ std::string shown(std::string_view word) {
     return is_plain ? fmt::format("`{}`", word) : quoted(word);
 }
 
+// "`text` (a shape)"
+std::string what(const Missing& missing) {
+    return shown(missing.name) +
+           (missing.meaning.empty() ? std::string() : fmt::format(" ({})", missing.meaning));
+}
+
+// What can be tried.
+std::string advice(const Missing& missing) {
+    if (missing.name == "clipped_by") {
+        return missing.is_error
+                   ? "; the object is cut where the picture shows it: take the `clipped_by` out of "
+                     "the text, or draw the whole object with the option skip-unsupported"
+                   : "; the object is drawn whole";
+    }
+    if (missing.name == "texture_list")
+        return "; each such face has the shine of its first corner: give all corners of a face the same "
+               "`finish`";
+    return missing.is_error ? "; the option skip-unsupported leaves it out and draws the rest" : "";
+}
+
 // The factor of a map that keeps all angles, or 0.
 double similarity(const Affine& map) {
     const auto column = [&](int i) { return Vec3{map.m[0][i], map.m[1][i], map.m[2][i]}; };
@@ -70,12 +90,10 @@ SourcePlace Reader::shape_place(const Token& at) {
 
 void Reader::report(const Missing& missing) {
     if (!missing.is_error && reading_.diagnostics.warned(missing.name)) return;
-    const std::string meaning =
-        missing.meaning.empty() ? std::string() : fmt::format(" ({})", missing.meaning);
     if (!missing.is_error) {
         return warn_once(missing.name, missing.at,
-                         fmt::format("glint does not render {}{} of POV-Ray: the picture will differ",
-                                     shown(missing.name), meaning));
+                         fmt::format("glint does not render {} of POV-Ray: the picture will differ{}",
+                                     what(missing), advice(missing)));
     }
     // Reading goes on, so that all of them are named.
     const std::string key = fmt::format("refused {}", missing.name);
@@ -84,11 +102,24 @@ void Reader::report(const Missing& missing) {
     reading_.diagnostics.error(
         reading_.texts[missing.at.text], missing.at.offset,
         std::max<std::size_t>(text_of(missing.at).size(), 1),
-        fmt::format("glint does not render {}{} of POV-Ray", shown(missing.name), meaning));
+        fmt::format("glint does not render {} of POV-Ray{}", what(missing), advice(missing)));
 }
 
 void Reader::report(const MissingList& missing) {
     for (const Missing& each : missing) report(each);
+}
+
+// Objects that have no meaning without what is missing; only with skip_unsupported.
+bool Reader::leave_out(const Object& object) {
+    if (!reading_.options.skip_unsupported) return false;
+    const MissingList& missing = object.kind == ObjectKind::light ? object.light->missing : object.missing;
+    const auto reason =
+        std::find_if(missing.begin(), missing.end(), [](const Missing& m) { return m.is_error; });
+    if (reason == missing.end()) return false;
+    const Token& at = reason->at;
+    reading_.left_out.add(what(*reason) + " of POV-Ray", reading_.texts[at.text], at.offset,
+                          std::max<std::size_t>(text_of(at).size(), 1));
+    return true;
 }
 
 void Reader::place(const Object& object) {
@@ -115,6 +146,7 @@ void Reader::place(const Object& object, const Inherited& from) {
     if (object.interior) own.interior = object.interior.get();
     if (!own.interior && object.texture) own.interior = object.texture->finish.interior.get();
     if (object.kind != ObjectKind::light) inherit_interior(object, own);
+    if (leave_out(object)) return;
     report(object.missing);
     if (object.no_reflection && !no_reflection_) no_reflection_ = call_place(*object.no_reflection);
     if (object.clip) {

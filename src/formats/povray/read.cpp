@@ -39,12 +39,14 @@ void Reader::declare_numbers() {
     }
 }
 
-std::optional<double> Reader::clock() const {
-    std::optional<double> clock;
+std::optional<double> Reader::clock() const { return declared_number("clock"); }
+
+std::optional<double> Reader::declared_number(std::string_view wanted) const {
+    std::optional<double> number;
     for (const auto& [name, value] : reading_.options.declared) {
-        if (name == "clock") clock = value;
+        if (name == wanted) number = value;
     }
-    return clock;
+    return number;
 }
 
 // The size of the picture: the command's, else that of the profile.

@@ -181,6 +181,7 @@ class Reader {
     Numbers identifier(const Token& name);
     Numbers combine(char op, const Token& at, Numbers a, Numbers b);
     double number();
+    bool is_end_of_number(std::uint32_t skipped) const;
     Vec3 vector();
     double number_or(double value);  // an optional number
     bool flag();                     // an optional number that stands for true or false
@@ -196,6 +197,7 @@ class Reader {
     Numbers array_size(const Token& name);
     RenderSettings scene_size(const Token& at);
     std::optional<double> clock() const;
+    std::optional<double> declared_number(std::string_view name) const;
 
     // user_functions.cpp
     std::shared_ptr<const Function> read_function(const Token& at);
@@ -373,6 +375,7 @@ class Reader {
                           std::span<const Vec3> points, std::span<const Vec3> normals);
     void report(const Missing& missing);
     void report(const MissingList& missing);
+    bool leave_out(const Object& object);
     template <class Shape>
     void add(const Shape& shape, std::uint32_t material, const Affine* map, const Token& at);
 
@@ -421,11 +424,15 @@ class Reader {
     std::optional<CameraItems> camera_, camera_default_;
     struct MaterialKey {
         std::array<double, 33> values{};
-        bool operator<(const MaterialKey& other) const { return values < other.values; }
+        bool operator==(const MaterialKey& other) const { return values == other.values; }
     };
-    CountedMap<MaterialKey, std::uint32_t> materials_;
+    struct MaterialHash {
+        std::size_t operator()(const MaterialKey& key) const;
+    };
+    CountedHashMap<MaterialKey, std::uint32_t, MaterialHash> materials_;
     MaterialKey last_key_;
     std::uint32_t last_material_ = k_none;
+    bool is_last_plain_ = false;  // its shape had no warnings but those of the material
     Token last_place_token_;
     SourcePlace last_place_;
     std::vector<std::string> warned_;  // what has been refused

@@ -14,7 +14,7 @@ import {pinLater} from './pixels';
 import {
     type Comparison, currentDocumentState, comparison, comparisonFailure, documentId, fileName, history, hovered, includes, isFirstVisit, isSecondDone, givenChallenge, missing,
     services as page, notice,
-    overrides, pinned, pinnedIn, pixel, sceneName, state, tab, text,
+    overrides, pinned, pinnedIn, pixel, sceneName, skipsUnsupported, state, tab, text,
 } from './state';
 
 function requestWith(extra: Record<string, string>): OpenRequest {
@@ -23,6 +23,7 @@ function requestWith(extra: Record<string, string>): OpenRequest {
         includes: includes.value,
         scene: sceneName.value,
         settings: {...overrides.value, ...extra},
+        skipUnsupported: skipsUnsupported.value,
     };
 }
 
@@ -40,6 +41,11 @@ export function render() {
     } else {
         page.second?.stop();
     }
+}
+
+export function skipUnsupported(skips: boolean) {
+    skipsUnsupported.value = skips;
+    render();
 }
 
 export function setComparison(compare: Comparison | null) {

@@ -20,6 +20,8 @@ export const sceneName = signal<string | undefined>(undefined);
 export const includes = signal<SceneText[]>([]);
 /** Settings that override the text. */
 export const overrides = signal<Record<string, string>>({});
+/** Objects that glint does not render are left out. */
+export const skipsUnsupported = signal(false);
 export const history = signal({canUndo: false, canRedo: false});
 
 /** Of the last scene that could be rendered. */

@@ -4,8 +4,8 @@ import {useLayoutEffect, useRef} from 'preact/hooks';
 
 import {Editor, longestLine} from '../editor/editor';
 import {revealMistake} from '../store/places';
-import {chooseScene, convertToGlint, textChanged} from '../store/scene';
-import {currentDocumentState, diagnostics, failure, fileName, format, info, missing, notice, services, sceneName, text} from '../store/state';
+import {chooseScene, convertToGlint, skipUnsupported, textChanged} from '../store/scene';
+import {currentDocumentState, diagnostics, failure, fileName, format, info, missing, notice, services, sceneName, skipsUnsupported, text} from '../store/state';
 import {spanOf} from '../text/places';
 import {Choice, FileButton} from './fields';
 import {Outside} from './Outside';
@@ -55,13 +55,19 @@ export function TextPane() {
 
 function Messages() {
     const list = diagnostics.value;
-    if (list.length === 0 && !failure.value) return <div class="messages" aria-live="polite" />;
+    if (list.length === 0 && !failure.value && !skipsUnsupported.value) return <div class="messages" aria-live="polite" />;
     return (
         <div class="messages" aria-live="polite">
             {missing.value.length > 0 && (
                 <p class="message">
                     {missing.value.join(', ')} {missing.value.length === 1 ? 'is' : 'are'} not here. Drop {missing.value.length === 1 ? 'it' : 'them'} onto the page, or <FileButton label="choose the file…" />
                 </p>
+            )}
+            {(skipsUnsupported.value || list.some((one) => one.message.includes('option skip-unsupported'))) && (
+                <label class="message skip">
+                    <input type="checkbox" checked={skipsUnsupported.value} onChange={(event) => skipUnsupported(event.currentTarget.checked)} />
+                    {' '}leave out what glint does not render (skip-unsupported)
+                </label>
             )}
             {failure.value && <p class="message error">{failure.value}</p>}
             {list.slice(0, 20).map((one, i) => (
