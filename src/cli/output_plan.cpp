@@ -57,8 +57,8 @@ OutputPlan plan_output(OutputRequest request, const RenderArguments& arguments, 
     plan.is_quiet = arguments.quiet;
     if (arguments.resume) plan.kept_journal = plan.path + ".journal";
     if (request.picture) {
-        const PictureContents contents{area, layers, loaded.scene.settings.alpha,
-                                       loaded.scene.conventions.byte_rule()};
+        const PictureContents contents{area, layers, loaded.scene->settings.alpha,
+                                       loaded.scene->conventions.byte_rule()};
         plan.picture.emplace(*std::move(request.picture), contents, arguments.threads);
     }
     plan.store = plan.picture ? store_of(arguments, *plan.picture, is_distributed) : TileStore::journal;
