@@ -4,11 +4,11 @@
 
 #include "base/fp_environment.h"
 #include "base/status.h"
-#include "world/interiors.h"
-#include "world/pack_shapes.h"
+#include "world/appearance/interiors.h"
+#include "world/appearance/prepare_sky.h"
+#include "world/appearance/shading.h"
+#include "world/geometry/pack_shapes.h"
 #include "world/prepare_camera.h"
-#include "world/prepare_sky.h"
-#include "world/shading.h"
 #include "world/world.h"
 
 namespace glint {

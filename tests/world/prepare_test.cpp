@@ -8,9 +8,9 @@
 #include "formats/load_validated.h"
 #include "trace/hit_rule.h"
 #include "trace/worlds.h"
-#include "world/appearance.h"
+#include "world/appearance/appearance.h"
+#include "world/geometry/primitive_bounds-inl.h"
 #include "world/prepare.h"
-#include "world/primitive_bounds-inl.h"
 #include "world/same_pictures.h"
 
 namespace glint::test {
