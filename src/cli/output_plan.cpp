@@ -59,7 +59,7 @@ OutputPlan plan_output(OutputRequest request, const RenderArguments& arguments, 
     if (request.picture) {
         const PictureContents contents{area, layers, loaded.scene->settings.alpha,
                                        loaded.scene->conventions.byte_rule()};
-        plan.picture.emplace(*std::move(request.picture), contents, arguments.threads);
+        plan.picture.emplace(*request.picture, contents, arguments.threads);
     }
     plan.store = plan.picture ? store_of(arguments, *plan.picture, is_distributed) : TileStore::journal;
     // Pictures are shown from memory.

@@ -209,7 +209,7 @@ Result<ValidatedScene> load_validated(std::span<const SceneText> texts, const Lo
 Result<Scene> load(std::span<const SceneText> texts, const LoadOptions& options, Sources* sources) {
     Result<ValidatedScene> loaded = load_validated(texts, options, sources);
     if (!loaded) return Status(std::move(loaded));
-    return {(*std::move(loaded)).release(), std::move(loaded.diagnostics)};
+    return {std::move(*loaded).release(), std::move(loaded.diagnostics)};
 }
 
 }  // namespace glint

@@ -108,7 +108,7 @@ GlintScene* glint_open(const char* request, std::uint32_t length) {
         // What prepare() says, load() has said: it validates too.
         if (glint::Result<glint::World> prepared = glint::prepare(*loaded, {.threads = 1}))
             scene->world = *std::move(prepared);
-        scene->scene = (*std::move(loaded)).release();
+        scene->scene = std::move(*loaded).release();
         scene->opened = glint::wasm::Changeable(*scene->scene);
         scene->report["width"] = scene->scene->settings.width;  // its place among the keys
         scene->report["height"] = scene->scene->settings.height;
