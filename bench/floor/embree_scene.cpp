@@ -7,7 +7,7 @@
 #include <string>
 
 #include "glint/shapes.h"
-#include "world/triangulate.h"
+#include "world/geometry/triangulate.h"
 
 namespace glint_floor {
 

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "scene_writer.h"
-#include "world/triangulate.h"
+#include "world/geometry/triangulate.h"
 
 namespace spd {
 

@@ -8,7 +8,7 @@
 #include "math/number.h"
 #include "math/transform.h"
 #include "world/camera_projection.h"
-#include "world/primitive_bounds-inl.h"
+#include "world/geometry/primitive_bounds-inl.h"
 
 namespace glint {
 namespace {

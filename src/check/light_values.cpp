@@ -8,8 +8,8 @@
 #include "math/number.h"
 #include "math/transform.h"
 #include "scene/light_fields.h"
-#include "world/primitive_bounds-inl.h"
-#include "world/primitives.h"
+#include "world/geometry/primitive_bounds-inl.h"
+#include "world/geometry/primitives.h"
 
 namespace glint {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "check/checks.h"
-#include "world/primitives.h"
+#include "world/geometry/primitives.h"
 
 namespace glint {
 namespace {

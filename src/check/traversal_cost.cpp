@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "check/visible_hits.h"
-#include "world/primitive_bounds-inl.h"
+#include "world/geometry/primitive_bounds-inl.h"
 
 namespace glint {
 namespace {

@@ -11,7 +11,7 @@
 #include "math/number.h"
 #include "trace/rays/camera_rays-inl.h"
 #include "world/camera_projection.h"
-#include "world/primitive_bounds-inl.h"
+#include "world/geometry/primitive_bounds-inl.h"
 
 namespace glint {
 namespace {

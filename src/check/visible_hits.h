@@ -6,7 +6,7 @@
 
 #include "check/context.h"
 #include "trace/surface_record.h"
-#include "world/appearance.h"
+#include "world/appearance/appearance.h"
 
 namespace glint {
 

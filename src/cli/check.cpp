@@ -63,7 +63,7 @@ int check_command(CheckArguments& arguments) {
     options.texts = texts;
     auto bar = std::make_unique<ProgressBar>(!arguments.quiet);
     options.progress = [&](double fraction) { bar->update(fraction); };
-    const Result<std::vector<Finding>> result = check(loaded.scene, options);
+    const Result<std::vector<Finding>> result = check(*loaded.scene, options);
     bar.reset();  // its line is free again
     add_warnings(loaded.warnings, result.diagnostics);
     print(loaded.warnings);

@@ -168,7 +168,7 @@ int compare_command(CompareArguments& arguments) {
         report.with_scene = scene.has_value();
         cause_options.max_memory = arguments.max_memory;
         report.causes = find_causes(std::move(a.picture), std::move(b.picture),
-                                    scene ? &scene->scene : nullptr, cause_options);
+                                    scene ? &*scene->scene : nullptr, cause_options);
     }
     arguments.json ? print_json(json_report(report)) : print_text(text_report(report));
     return report.passes ? k_done : k_bad_input;

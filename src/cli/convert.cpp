@@ -53,7 +53,7 @@ bool may_depend_on_size(std::string_view name) {
 // A scene may depend on the picture's size: the camera of Tachyon does, and what a scene of POV-Ray makes of
 // image_width. A .glint file has no such rules, so it holds what they give for one size.
 void warn_of_size(const ConvertArguments& arguments, const LoadedScene& loaded) {
-    const Scene& scene = loaded.scene;
+    const Scene& scene = *loaded.scene;
     const bool may_depend = std::any_of(scene.files.begin(), scene.files.end(), may_depend_on_size) ||
                             may_depend_on_size("." + arguments.scene.format);
     if (!may_depend) return;
@@ -78,7 +78,7 @@ int convert_command(ConvertArguments& arguments) {
         throw Failure(k_usage, fmt::format("OUT '{}': glint writes scenes as .glint only", path));
     const LoadedScene loaded = load_scene(arguments.scene);
     if (!arguments.quiet) print(loaded.warnings);
-    const Scene& scene = loaded.scene;
+    const Scene& scene = *loaded.scene;
     std::vector<SceneText> texts = loaded.texts;
     const std::vector<InputFile> included = open_included(loaded, texts);
     const Result<std::string> written = write_glint(scene, texts);

@@ -20,6 +20,7 @@
 #include "cli/terminal.h"
 #include "cli/text.h"
 #include "cli/validators.h"
+#include "world/prepare.h"
 
 namespace glint::cli {
 namespace {
@@ -89,7 +90,7 @@ int explain_command(ExplainArguments& arguments) {
     check_isa(arguments.isa);
     add_settings(arguments.picture, PictureMemory::some, arguments.scene);
     LoadedScene loaded = load_scene(arguments.scene);
-    const Scene& scene = loaded.scene;
+    const Scene& scene = *loaded.scene;
     const Pair pixel = pixel_of(arguments, scene.settings);
     ExplainStyle style;
     style.colors = is_terminal(STDOUT_FILENO) && std::getenv("NO_COLOR") == nullptr;
@@ -100,7 +101,7 @@ int explain_command(ExplainArguments& arguments) {
     std::optional<std::uint32_t> light;
     if (!arguments.why_not.empty()) light = find_light("--why-not", arguments.why_not, scene);
 
-    const Result<World> prepared = prepare(scene);
+    const Result<World> prepared = prepare(loaded.scene);
     add_warnings(loaded.warnings, prepared.diagnostics);
     print(loaded.warnings);
     if (!prepared) throw_failure(prepared);

@@ -196,16 +196,18 @@ int grade_command(GradeArguments& arguments) {
     Rubric rubric;
     if (!arguments.rubric.empty()) rubric = load_rubric(arguments.rubric);
     arguments.scene.scene.is_confined = true;  // it may be a submission
-    std::optional<LoadedScene> loaded = load_scene_option(arguments.scene, arguments.quiet);
+    std::optional<Scene> scene;
+    if (auto loaded = load_scene_option(arguments.scene, arguments.quiet))
+        scene = std::move(loaded->scene).release();
     Image reference;
     if (!arguments.reference.empty()) reference = read_picture(arguments.reference).image;
-    if (loaded && !reference.rgb.empty()) {
-        loaded->scene.settings.width = reference.width;
-        loaded->scene.settings.height = reference.height;
+    if (scene && !reference.rgb.empty()) {
+        scene->settings.width = reference.width;
+        scene->settings.height = reference.height;
     }
-    if (!rubric.rows.empty()) return grade_rubric(arguments, loaded->scene, rubric, outputs);
-    if (reference.rgb.empty()) reference = render_reference(loaded->scene, arguments.threads);
-    return grade_pictures(arguments, loaded ? &loaded->scene : nullptr, reference, outputs);
+    if (!rubric.rows.empty()) return grade_rubric(arguments, *scene, rubric, outputs);
+    if (reference.rgb.empty()) reference = render_reference(*scene, arguments.threads);
+    return grade_pictures(arguments, scene ? &*scene : nullptr, reference, outputs);
 }
 
 }  // namespace

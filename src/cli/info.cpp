@@ -10,6 +10,7 @@
 #include "cli/print_text.h"
 #include "cli/scene_arguments.h"
 #include "cli/scene_report.h"
+#include "world/prepare.h"
 
 namespace glint::cli {
 namespace {
@@ -32,7 +33,7 @@ int info_command(const InfoArguments& arguments) {
         print(loaded.warnings);
         throw_failure(prepared);
     }
-    const SceneReport report{loaded.scene, *prepared, loaded.warnings, loaded.texts};
+    const SceneReport report{*loaded.scene, *prepared, loaded.warnings, loaded.texts};
     arguments.json ? print_json(json_report(report)) : print_text(text_report(report));
     return k_done;
 }

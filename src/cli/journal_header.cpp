@@ -23,7 +23,7 @@ JournalHeader journal_header(const SceneArguments& arguments, const LoadedScene&
     header.settings.emplace_back("scene", arguments.scene_name);
     const auto keys = setting_keys();
     for (std::size_t i = 0; i < keys.size(); ++i)
-        header.settings.emplace_back(keys[i].name, get_setting(loaded.scene, i));
+        header.settings.emplace_back(keys[i].name, get_setting(*loaded.scene, i));
     return header;
 }
 

@@ -53,7 +53,7 @@ OutputPlan plan_output(OutputRequest request, const RenderArguments& arguments, 
     plan.path = request.path;
     plan.tiles = std::move(request.tiles);
     plan.stats = std::move(request.stats);
-    const RenderSettings& settings = loaded.scene.settings;
+    const RenderSettings& settings = loaded.scene->settings;
     plan.area = area;
     plan.written = arguments.keeps_size ? Crop{settings.width, settings.height} : area;
     plan.is_shown = arguments.show;
@@ -61,8 +61,8 @@ OutputPlan plan_output(OutputRequest request, const RenderArguments& arguments, 
     if (arguments.resume) plan.kept_journal = plan.path + ".journal";
     if (request.picture) {
         const PictureContents contents{plan.written, layers, settings.alpha,
-                                       loaded.scene.conventions.byte_rule()};
-        plan.picture.emplace(*std::move(request.picture), contents, arguments.threads);
+                                       loaded.scene->conventions.byte_rule()};
+        plan.picture.emplace(*request.picture, contents, arguments.threads);
     }
     plan.store = plan.picture ? store_of(arguments, *plan.picture, is_distributed) : TileStore::journal;
     // Pictures are shown from memory.

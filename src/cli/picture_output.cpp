@@ -106,7 +106,8 @@ PictureContents contents_of(const JournalHeader& header) {
     return {header.picture, header.layers, is_with_alpha(header), rule_of(header)};
 }
 
-PictureOutput::PictureOutput(PictureDestination destination, const PictureContents& contents, int threads)
+PictureOutput::PictureOutput(const PictureDestination& destination, const PictureContents& contents,
+                             int threads)
     : output_(destination.file),
       area_(contents.area),
       alpha_(check_alpha(destination, contents.has_alpha)),

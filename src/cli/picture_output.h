@@ -38,7 +38,7 @@ class PictureOutput {
   public:
     /// The layers but alpha are written with the picture. Throws Failure as LayerFiles(), and if the format
     /// has no alpha.
-    PictureOutput(PictureDestination destination, const PictureContents& contents, int threads);
+    PictureOutput(const PictureDestination& destination, const PictureContents& contents, int threads);
 
     bool has_alpha() const { return alpha_; }
     ByteRule rule() const { return encoding_.rule(); }

@@ -20,6 +20,7 @@
 #include "cli/submissions.h"
 #include "cli/terminal.h"
 #include "cli/text.h"
+#include "world/prepare.h"
 
 namespace glint::cli {
 namespace {
@@ -104,11 +105,11 @@ int render_command(RenderArguments& arguments, const RenderHooks& hooks) {
     TextReader disk;
     LoadedScene loaded = load_scene(arguments.scene, hooks.reader != nullptr ? *hooks.reader : disk);
     times.load = seconds_since(start);
-    options.layers = parse_layers(arguments.aov, &loaded.scene);
-    if (loaded.scene.settings.alpha) put_alpha_last(options.layers);
-    options.crop = crop_of(arguments, loaded.scene.settings);
+    options.layers = parse_layers(arguments.aov, &*loaded.scene);
+    if (loaded.scene->settings.alpha) put_alpha_last(options.layers);
+    options.crop = crop_of(arguments, loaded.scene->settings);
     const Crop area =
-        options.crop ? *options.crop : Crop{loaded.scene.settings.width, loaded.scene.settings.height};
+        options.crop ? *options.crop : Crop{loaded.scene->settings.width, loaded.scene->settings.height};
     std::optional<OutputPlan> plan;
     if (request) {
         plan.emplace(plan_output(*std::move(request), arguments, loaded, area, options.layers,

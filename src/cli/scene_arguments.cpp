@@ -14,6 +14,7 @@
 #include "cli/repeated_option.h"
 #include "cli/text.h"
 #include "cli/validators.h"
+#include "formats/load_validated.h"
 #include "formats/registry.h"
 
 namespace glint::cli {
@@ -179,7 +180,7 @@ LoadedScene load_scene(const SceneArguments& arguments, TextReader& reader) {
         texts.push_back({name, files.back().text(), arguments.format});
     }
     FileSources sources(reader, arguments.include_paths, reach_of_includes(arguments));
-    Result<Scene> result = load(texts, options, &sources);
+    Result<ValidatedScene> result = load_validated(texts, options, &sources);
     sources.rethrow();
     if (!result) {
         print(result.diagnostics);
@@ -197,12 +198,12 @@ LoadedScene load_scene(const SceneArguments& arguments) {
 std::vector<InputFile> open_included(const LoadedScene& loaded, std::vector<SceneText>& texts) {
     std::vector<InputFile> files;
     std::vector<std::string> names;
-    for (std::size_t i = loaded.texts.size(); i < loaded.scene.files.size(); ++i) {
+    for (std::size_t i = loaded.texts.size(); i < loaded.scene->files.size(); ++i) {
         std::string why;
-        if (!is_scene_name(loaded.scene.files[i])) continue;
-        if (auto file = InputFile::open_named(loaded.scene.files[i], loaded.reach, why)) {
+        if (!is_scene_name(loaded.scene->files[i])) continue;
+        if (auto file = InputFile::open_named(loaded.scene->files[i], loaded.reach, why)) {
             files.push_back(std::move(*file));
-            names.push_back(loaded.scene.files[i]);
+            names.push_back(loaded.scene->files[i]);
         }
     }
     for (std::size_t i = 0; i < files.size(); ++i) texts.push_back({names[i], files[i].text(), {}});

@@ -9,6 +9,7 @@
 
 #include "cli/input_file.h"
 #include "glint/glint.h"
+#include "scene/validated_scene.h"
 
 namespace glint::cli {
 
@@ -42,7 +43,7 @@ void add_convention_arguments(CLI::App& command, SceneArguments& arguments);
 std::vector<std::string_view> setting_names();
 
 struct LoadedScene {
-    Scene scene;
+    ValidatedScene scene;
     std::vector<Diagnostic> warnings;
     std::vector<InputFile> files;
     std::vector<SceneText> texts;  ///< one for each of `files`

@@ -125,18 +125,18 @@ Variation parse_variation(const std::string& text) {
 }
 
 int vary_command(SceneOption& scene, const Variation& variation, int threads, bool json, bool quiet) {
-    LoadedScene loaded = *load_scene_option(scene, quiet);
-    const World prepared = prepare_or_fail(loaded.scene, threads);
+    Scene varied = std::move(load_scene_option(scene, quiet)->scene).release();
+    const World prepared = prepare_or_fail(varied, threads);
     std::vector<Step> steps;
     Image before;
     {
         ProgressBar bar(!quiet);
         for (const std::string& value : variation.values) {
-            set_setting(loaded.scene, variation.key, value, {SettingOrigin::Kind::command, {}});
-            Result<World> changed = with_rules(prepared, loaded.scene.conventions, loaded.scene.settings);
+            set_setting(varied, variation.key, value, {SettingOrigin::Kind::command, {}});
+            Result<World> changed = with_rules(prepared, varied.conventions, varied.settings);
             // Other changes, and invalid values, need prepare(), which reports errors.
-            const World world = changed ? *std::move(changed) : prepare_or_fail(loaded.scene, threads);
-            Image now = as_written(render_or_fail(world, threads), loaded.scene.conventions.byte_rule());
+            const World world = changed ? *std::move(changed) : prepare_or_fail(varied, threads);
+            Image now = as_written(render_or_fail(world, threads), varied.conventions.byte_rule());
             steps.push_back({value, {}});
             if (!before.rgb.empty()) {
                 CompareOptions options;

@@ -44,7 +44,8 @@ struct VersusArguments {
 
 struct Side {
     std::string name;
-    LoadedScene loaded;
+    Scene scene;
+    std::vector<Diagnostic> warnings;
     World world;
     Image image;
 };
@@ -80,8 +81,10 @@ Side render_side(const VersusArguments& arguments, const std::vector<std::string
                  const char* option, const std::optional<RenderSettings>& same_size) {
     Side side;
     side.name = name_of(settings, option);
-    side.loaded = load_scene(with_settings(arguments.scene, settings));
-    Scene& scene = side.loaded.scene;
+    LoadedScene loaded = load_scene(with_settings(arguments.scene, settings));
+    side.warnings = std::move(loaded.warnings);
+    side.scene = std::move(loaded.scene).release();
+    Scene& scene = side.scene;
     const bool has_size = std::any_of(settings.begin(), settings.end(),
                                       [](const std::string& s) { return s.starts_with("size="); });
     if (same_size && !has_size) {
@@ -93,7 +96,7 @@ Side render_side(const VersusArguments& arguments, const std::vector<std::string
         side.name += fmt::format(", exponents times {}", k_matching_factor);
     }
     side.world = prepare_or_fail(scene);
-    side.image = as_written(render_or_fail(side.world), side.loaded.scene.conventions.byte_rule());
+    side.image = as_written(render_or_fail(side.world), side.scene.conventions.byte_rule());
     return side;
 }
 
@@ -102,7 +105,7 @@ std::optional<RenderSettings> size_of_scene(const VersusArguments& arguments) {
     const bool has_profile = std::any_of(arguments.a.begin(), arguments.a.end(),
                                          [](const std::string& s) { return s.starts_with("profile="); });
     if (!has_profile) return std::nullopt;
-    return load_scene(arguments.scene).scene.settings;
+    return load_scene(arguments.scene).scene->settings;
 }
 
 // A, B and their difference side by side, separated by a light line.
@@ -121,22 +124,22 @@ Image side_by_side(const Image& a, const Image& b, const Image& difference) {
 }
 
 std::string explained(const Side& side, const LargestDifference& pixel, ExplainStyle style) {
-    const int n = side.loaded.scene.settings.samples;
+    const int n = side.scene.settings.samples;
     style.sample = n / 2 * n + n / 2;
-    style.file.set_rule(side.loaded.scene.conventions.byte_rule());
+    style.file.set_rule(side.scene.conventions.byte_rule());
     ExplainOptions options;
     options.sample = style.sample;
-    const auto explanation = explain(side.loaded.scene, side.world, pixel.x, pixel.y, options);
+    const auto explanation = explain(side.scene, side.world, pixel.x, pixel.y, options);
     if (!explanation) throw_failure(explanation);
-    return explanation_text(*explanation, side.loaded.scene, style);
+    return explanation_text(*explanation, side.scene, style);
 }
 
 std::string explained_json(const Side& side, const LargestDifference& pixel) {
-    const auto explanation = explain(side.loaded.scene, side.world, pixel.x, pixel.y);
+    const auto explanation = explain(side.scene, side.world, pixel.x, pixel.y);
     if (!explanation) throw_failure(explanation);
     EncodeOptions file;
-    file.set_rule(side.loaded.scene.conventions.byte_rule());
-    return explanation_json(*explanation, side.loaded.scene, file).value();
+    file.set_rule(side.scene.conventions.byte_rule());
+    return explanation_json(*explanation, side.scene, file).value();
 }
 
 // Whether the pixel's neighbours have nearly its color in the displayed picture.
@@ -189,8 +192,8 @@ int versus_command(VersusArguments& arguments) {
                       "expected --a KEY=VALUE or --b KEY=VALUE: the difference between the pictures");
     add_settings(arguments.picture, PictureMemory::whole, arguments.scene);
     const Side a = render_side(arguments, arguments.a, "--a", size_of_scene(arguments));
-    const Side b = render_side(arguments, arguments.b, "--b", a.loaded.scene.settings);
-    print(a.loaded.warnings);
+    const Side b = render_side(arguments, arguments.b, "--b", a.scene.settings);
+    print(a.warnings);
     const Result<PictureDifference> compared = compare(a.image, b.image);
     if (!compared) throw_failure(compared);
     const PictureDifference& difference = *compared;

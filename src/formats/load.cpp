@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Texts to one Scene: reads each text with its format's reader, applies the settings, and validates.
-#include "glint/load.h"
+#include "formats/load_validated.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,6 @@
 #include "base/status.h"
 #include "formats/profile_file.h"
 #include "formats/registry.h"
-#include "scene/mistakes.h"
 
 namespace glint {
 namespace {
@@ -34,7 +33,7 @@ class Loader {
             [this](InputText where, std::size_t offset) { return go_on(where, offset); });
     }
 
-    Result<Scene> run() {
+    Result<ValidatedScene> run() {
         ErrorCode code = ErrorCode::invalid_argument;
         if (texts_.empty()) {
             add(Severity::error, "", "no text to read a scene from");
@@ -69,7 +68,7 @@ class Loader {
         for (Diagnostic& d : diagnostics) hide_foreign_line(d);
         if (is_wrong) return failure(code, std::move(diagnostics));
         if (options_.progress) options_.progress(1);
-        return {std::move(reading_.scene), std::move(diagnostics)};
+        return {*std::move(validated_), std::move(diagnostics)};
     }
 
   private:
@@ -130,7 +129,7 @@ class Loader {
 
     // The caller has chosen its own texts; a scene may name any file.
     void hide_foreign_line(Diagnostic& d) const {
-        const std::vector<std::string>& files = reading_.scene.files;
+        const std::vector<std::string>& files = validated_ ? (*validated_)->files : reading_.scene.files;
         const auto end_of_own =
             files.begin() + static_cast<std::ptrdiff_t>(
                                 std::min(files.size(), texts_.size() + (options_.profile_text ? 1 : 0)));
@@ -160,7 +159,9 @@ class Loader {
     }
 
     void check() {
-        for (Mistake& mistake : find_mistakes(reading_.scene)) {
+        std::vector<Mistake> mistakes;
+        validated_ = ValidatedScene::take(reading_.scene, mistakes);
+        for (Mistake& mistake : mistakes) {
             const SourcePlace place = mistake.place;
             const bool has_place = place.line != 0 && place.file < reading_.texts.size();
             Diagnostic d = has_place ? diagnostic_at(mistake.severity, reading_.texts[place.file], place,
@@ -192,16 +193,24 @@ class Loader {
     std::size_t bytes_;  // of all texts
     std::vector<const Format*> formats_;
     LoadState reading_;
+    std::optional<ValidatedScene> validated_;  // once it is known to be valid; reading_.scene is then empty
 };
 
 }  // namespace
 
-Result<Scene> load(std::span<const SceneText> texts, const LoadOptions& options, Sources* sources) {
+Result<ValidatedScene> load_validated(std::span<const SceneText> texts, const LoadOptions& options,
+                                      Sources* sources) {
     const auto body = [&] {
         const DefaultFpEnvironment environment;
         return Loader(texts, options, sources).run();
     };
     return result_of(body, " while reading the scene");
+}
+
+Result<Scene> load(std::span<const SceneText> texts, const LoadOptions& options, Sources* sources) {
+    Result<ValidatedScene> loaded = load_validated(texts, options, sources);
+    if (!loaded) return Status(std::move(loaded));
+    return {std::move(*loaded).release(), std::move(loaded.diagnostics)};
 }
 
 }  // namespace glint

@@ -49,7 +49,7 @@ inline constexpr ItemField<Material> k_material_fields[] = {
      "the index of refraction"},
     {"casts_shadow", "casts_shadow", "casts a shadow", bool_field(&Material::casts_shadow),
      "false: the surface blocks no light"},
-    // From here on: the fields of WorldParts::extended (world/extended_materials.h).
+    // From here on: the fields of WorldParts::extended (world/appearance/extended_materials.h).
     {.key = "emission_color",
      .name = "emission",
      .label = "emission",

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/mistakes.h"
 
+#include <algorithm>
+
+#include "scene/validated_scene.h"
+
 namespace glint {
 
 std::vector<Diagnostic> to_diagnostics(std::vector<Mistake> mistakes, const Scene& scene) {
@@ -23,5 +27,14 @@ std::vector<Diagnostic> to_diagnostics(std::vector<Mistake> mistakes, const Scen
 }
 
 std::vector<Diagnostic> validate(const Scene& scene) { return to_diagnostics(find_mistakes(scene), scene); }
+
+std::optional<ValidatedScene> ValidatedScene::take(Scene& scene, std::vector<Mistake>& mistakes) {
+    mistakes = find_mistakes(scene);
+    const bool is_wrong = std::any_of(mistakes.begin(), mistakes.end(),
+                                      [](const Mistake& m) { return m.severity == Severity::error; });
+    if (is_wrong) return std::nullopt;
+    std::vector<Diagnostic> warnings = to_diagnostics(mistakes, scene);
+    return ValidatedScene(std::move(scene), std::move(warnings));
+}
 
 }  // namespace glint

@@ -5,7 +5,7 @@
 
 #include "base/parallel_for.h"
 #include "trace/kernels.h"
-#include "world/appearance.h"
+#include "world/appearance/appearance.h"
 
 namespace glint {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "glint/explain.h"
-#include "world/surface_id.h"
+#include "world/geometry/surface_id.h"
 
 namespace glint {
 

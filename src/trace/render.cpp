@@ -13,7 +13,7 @@
 #include "trace/film/assemble.h"
 #include "trace/film/light_layers.h"
 #include "trace/kernels.h"
-#include "world/light_alone.h"
+#include "world/appearance/light_alone.h"
 
 namespace glint {
 namespace {

@@ -13,6 +13,7 @@
 #include "wasm/describe.h"
 #include "wasm/judge.h"
 #include "wasm/request.h"
+#include "world/prepare.h"
 
 using nlohmann::json;
 using nlohmann::ordered_json;
@@ -99,18 +100,18 @@ GlintScene* glint_open(const char* request, std::uint32_t length) {
     }
     scene->texts = glint::wasm::read_texts(parsed);
     std::vector<std::string> missing;
-    glint::Result<glint::Scene> loaded = glint::wasm::load(scene->texts, parsed, missing);
+    glint::Result<glint::ValidatedScene> loaded = glint::wasm::load(scene->texts, parsed, missing);
     if (!missing.empty()) scene->report["missing"] = missing;
     for (const glint::Diagnostic& d : loaded.diagnostics)
         scene->report["diagnostics"].push_back(glint::wasm::to_json(d));
     if (loaded) {
-        scene->scene = *std::move(loaded);
+        // What prepare() says, load() has said: it validates too.
+        if (glint::Result<glint::World> prepared = glint::prepare(*loaded, {.threads = 1}))
+            scene->world = *std::move(prepared);
+        scene->scene = std::move(*loaded).release();
         scene->opened = glint::wasm::Changeable(*scene->scene);
         scene->report["width"] = scene->scene->settings.width;  // its place among the keys
         scene->report["height"] = scene->scene->settings.height;
-        // What prepare() says, load() has said: it validates too.
-        if (glint::Result<glint::World> prepared = glint::prepare(*scene->scene, {.threads = 1}))
-            scene->world = *std::move(prepared);
         scene->report["ready"] = scene->world.has_value();
     }
     scene->write_report();

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "formats/load_validated.h"
+
 namespace glint::wasm {
 namespace {
 
@@ -89,7 +91,8 @@ RequestTexts read_texts(const json& request) {
     return {owned_texts(member(request, "texts")), owned_texts(member(request, "includes"))};
 }
 
-Result<Scene> load(const RequestTexts& texts, const json& request, std::vector<std::string>& missing) {
+Result<ValidatedScene> load(const RequestTexts& texts, const json& request,
+                            std::vector<std::string>& missing) {
     LoadOptions options;
     options.profile = string_member(request, "profile");
     options.scene_name = string_member(request, "scene");
@@ -102,7 +105,7 @@ Result<Scene> load(const RequestTexts& texts, const json& request, std::vector<s
         for (const auto& [key, value] : settings.items()) options.settings.emplace_back(key, text_of(value));
     }
     Includes includes(texts.includes);
-    Result<Scene> loaded = load(views(texts.texts), options, &includes);
+    Result<ValidatedScene> loaded = load_validated(views(texts.texts), options, &includes);
     missing = std::move(includes.missing);
     return loaded;
 }

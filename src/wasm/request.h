@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "glint/glint.h"
+#include "scene/validated_scene.h"
 
 namespace glint::wasm {
 
@@ -26,8 +27,8 @@ struct RequestTexts {
 RequestTexts read_texts(const nlohmann::json& request);
 
 /// Reads the scene that a request of glint_open names. `missing`: the included texts that it does not have.
-Result<Scene> load(const RequestTexts& texts, const nlohmann::json& request,
-                   std::vector<std::string>& missing);
+Result<ValidatedScene> load(const RequestTexts& texts, const nlohmann::json& request,
+                            std::vector<std::string>& missing);
 
 /// What a request of glint_prepare can change.
 struct Changeable {

@@ -5,11 +5,11 @@
 #include "base/fp_environment.h"
 #include "base/status.h"
 #include "scene/mistakes.h"
-#include "world/edit_index.h"
-#include "world/interiors.h"
+#include "world/appearance/interiors.h"
+#include "world/appearance/prepare_sky.h"
+#include "world/appearance/shading.h"
+#include "world/geometry/edit_index.h"
 #include "world/prepare_camera.h"
-#include "world/prepare_sky.h"
-#include "world/shading.h"
 #include "world/world.h"
 
 namespace glint {

@@ -7,11 +7,11 @@
 #include "base/parallel_chunks.h"
 #include "base/status.h"
 #include "scene/mistakes.h"
-#include "world/edit_index.h"
-#include "world/interiors.h"
-#include "world/pack_shapes.h"
-#include "world/primitive_bounds-inl.h"
-#include "world/shading.h"
+#include "world/appearance/interiors.h"
+#include "world/appearance/shading.h"
+#include "world/geometry/edit_index.h"
+#include "world/geometry/pack_shapes.h"
+#include "world/geometry/primitive_bounds-inl.h"
 #include "world/world.h"
 
 namespace glint {

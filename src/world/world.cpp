@@ -5,9 +5,9 @@
 #include <atomic>
 #include <utility>
 
-#include "world/edit_index.h"
+#include "world/appearance/shading.h"
+#include "world/geometry/edit_index.h"
 #include "world/prepare_camera.h"
-#include "world/shading.h"
 
 namespace glint {
 namespace {

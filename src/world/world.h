@@ -11,8 +11,8 @@
 #include "lighting/light.h"
 #include "math/sample_hash.h"
 #include "scene/material_color.h"
-#include "world/extended_materials.h"
-#include "world/packed_geometry.h"
+#include "world/appearance/extended_materials.h"
+#include "world/geometry/packed_geometry.h"
 #include "world/tracer_fault.h"
 
 namespace glint {
@@ -56,8 +56,9 @@ struct AmbientLight {
 };
 
 /// The objects that rays are inside, for FogExtent::outside_objects. A set of objects is the exclusive or of
-/// their words (interior_word() of world/appearance.h): 0 is the empty set, and a surface that is passed adds
-/// its object or removes it. Two objects never have the same word; more have the word 0 in one of 2^32 cases.
+/// their words (interior_word() of world/appearance/appearance.h): 0 is the empty set, and a surface that is
+/// passed adds its object or removes it. Two objects never have the same word; more have the word 0 in one of
+/// 2^32 cases.
 struct FogInteriors {
     bool tracked = false;      // rays know theirs: a surface lets light through, or the camera is inside
     std::uint32_t camera = 0;  // the objects that contain all points where camera rays start
@@ -68,7 +69,7 @@ struct FogInteriors {
 /// for shapes only: of one shape's elements, the first one is hit.
 enum class TieRule : std::uint8_t { first, last };
 
-/// world/appearance.h answers what depends on a surface.
+/// world/appearance/appearance.h answers what depends on a surface.
 struct WorldParts {
     CopyOnWrite<PackedGeometry> geometry;
     CopyOnWrite<std::vector<std::uint32_t>> slot_material;  // by slot, padded: the row in `materials`

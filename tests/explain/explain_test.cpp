@@ -13,7 +13,7 @@
 #include "explain/added_up.h"
 #include "gallery/scene_file.h"
 #include "trace/kernels.h"
-#include "world/appearance.h"
+#include "world/appearance/appearance.h"
 
 namespace glint::test {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "glint/explain.h"
 #include "trace/pictures.h"
-#include "world/prepare_sky.h"
+#include "world/appearance/prepare_sky.h"
 
 namespace glint::test {
 namespace {

@@ -31,10 +31,10 @@ bool write_png(const std::string& request) {
     const glint::wasm::RequestTexts texts = glint::wasm::read_texts(parsed);
     std::vector<std::string> missing;
     const auto scene = glint::wasm::load(texts, parsed, missing);
-    const auto world = scene ? glint::prepare(*scene) : glint::Result<glint::World>(glint::Status(scene));
+    const auto world = scene ? glint::prepare(**scene) : glint::Result<glint::World>(glint::Status(scene));
     if (!world) return false;
     glint::RenderOptions options;
-    if (scene->settings.alpha) options.layers = {glint::Layer::alpha};
+    if ((*scene)->settings.alpha) options.layers = {glint::Layer::alpha};
     const auto made = glint::render(*world, options);
     if (!made) return false;
     glint::EncodeOptions file;

@@ -5,8 +5,8 @@
 #include <thread>
 
 #include "trace/worlds.h"
-#include "world/edit_index.h"
-#include "world/primitive_bounds-inl.h"
+#include "world/geometry/edit_index.h"
+#include "world/geometry/primitive_bounds-inl.h"
 #include "world/same_pictures.h"
 
 namespace glint::test {

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <set>
 
+#include "formats/load_validated.h"
 #include "trace/hit_rule.h"
 #include "trace/worlds.h"
-#include "world/appearance.h"
-#include "world/primitive_bounds-inl.h"
+#include "world/appearance/appearance.h"
+#include "world/geometry/primitive_bounds-inl.h"
+#include "world/prepare.h"
+#include "world/same_pictures.h"
 
 namespace glint::test {
 namespace {
@@ -42,6 +45,26 @@ TEST(Prepare, EveryShapeHasItsSlots) {
               world->parts().geometry->boxed + static_cast<std::size_t>(k_ray_padding));
     EXPECT_GE(world->parts().geometry->shape_index.size(),
               world->parts().geometry->count + static_cast<std::size_t>(k_ray_padding));
+}
+
+TEST(Prepare, ScenesThatLoadHasValidated) {
+    const SceneText text{"a.glint",
+                         "camera { position = (0, 0, 5)  look_at = (0, 0, 0)  fov_x = 50 }\n"
+                         "sphere { center = (0, 0, 0)  radius = 1 }\n"};
+    const Result<ValidatedScene> loaded = load_validated({&text, 1});
+    ASSERT_TRUE(loaded) << loaded.message;
+    static_assert(std::is_const_v<std::remove_reference_t<decltype(**loaded)>>);
+    const Result<World> world = prepare(*loaded), validated_again = prepare(**loaded);
+    ASSERT_TRUE(world);
+    ASSERT_TRUE(validated_again);
+    EXPECT_TRUE(draw_the_same(*world, *validated_again));
+    ASSERT_EQ(world.diagnostics.size(), 1u) << "there is no light";
+    ASSERT_EQ(validated_again.diagnostics.size(), 1u);
+    EXPECT_EQ(to_string(world.diagnostics[0]), to_string(validated_again.diagnostics[0]));
+    EXPECT_EQ(load({&text, 1})->shapes.size(), (*loaded)->shapes.size());
+
+    const SceneText wrong{"a.glint", "sphere { center = (0, 0, 0)  radius = -1 }\n"};
+    EXPECT_FALSE(load_validated({&wrong, 1}));
 }
 
 TEST(Prepare, OmitsConesByConvention) {

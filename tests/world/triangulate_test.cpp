@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangulation of polygons: the same area, on the same side, without overlap.
-#include "world/triangulate.h"
+#include "world/geometry/triangulate.h"
 
 #include <gtest/gtest.h>
 

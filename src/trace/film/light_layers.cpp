@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "world/light_alone.h"
+#include "world/appearance/light_alone.h"
 
 namespace glint {
 namespace {

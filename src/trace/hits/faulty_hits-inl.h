@@ -10,7 +10,7 @@
 
 #include "geometry/kinds-inl.h"
 #include "trace/batches.h"
-#include "world/packed_values-inl.h"
+#include "world/geometry/packed_values-inl.h"
 #include "world/world.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "world/surface_id.h"
+#include "world/geometry/surface_id.h"
 
 namespace glint {
 

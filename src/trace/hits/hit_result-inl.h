@@ -9,7 +9,7 @@
 
 #include "bvh/slab-inl.h"
 #include "trace/hits/hit_columns.h"
-#include "world/appearance.h"
+#include "world/appearance/appearance.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

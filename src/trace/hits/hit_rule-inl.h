@@ -14,7 +14,7 @@
 #include "trace/hits/hit_result-inl.h"
 #include "trace/hits/packet_filters-inl.h"
 #include "trace/hits/sheared_rays-inl.h"
-#include "world/primitive_bounds-inl.h"
+#include "world/geometry/primitive_bounds-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

@@ -10,7 +10,7 @@
 #include "bvh/ray_packet-inl.h"
 #include "geometry/kinds-inl.h"
 #include "trace/hits/quick_rays-inl.h"
-#include "world/packed_values-inl.h"
+#include "world/geometry/packed_values-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

@@ -9,7 +9,7 @@
 #endif
 
 #include "trace/hits/intersect-inl.h"
-#include "world/appearance.h"
+#include "world/appearance/appearance.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

@@ -16,7 +16,7 @@
 #include "simd/sample_hash-inl.h"
 #include "trace/hits/intersect-inl.h"
 #include "trace/surface/surface-inl.h"
-#include "world/prepare_sky.h"
+#include "world/appearance/prepare_sky.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

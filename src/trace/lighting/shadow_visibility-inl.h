@@ -12,7 +12,7 @@
 #include "trace/hits/intersect-inl.h"
 #include "trace/hits/skip_transparent-inl.h"
 #include "trace/record.h"
-#include "world/appearance.h"
+#include "world/appearance/appearance.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

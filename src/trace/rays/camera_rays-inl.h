@@ -13,7 +13,7 @@
 #include "simd/sample_hash-inl.h"
 #include "simd/vec3-inl.h"
 #include "trace/tile.h"
-#include "world/interiors.h"
+#include "world/appearance/interiors.h"
 #include "world/world.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -8,7 +8,7 @@
 #endif
 
 #include "trace/batches.h"
-#include "world/appearance.h"
+#include "world/appearance/appearance.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the extended fields of a material (world/extended_materials.h) make of a light's terms and of its
-// mirror.
+// What the extended fields of a material (world/appearance/extended_materials.h) make of a light's terms and
+// of its mirror.
 #if defined(GLINT_TRACE_FINISH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_FINISH_INL_H_
 #undef GLINT_TRACE_FINISH_INL_H_

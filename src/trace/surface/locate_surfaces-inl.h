@@ -10,9 +10,9 @@
 
 #include "geometry/kinds-inl.h"
 #include "trace/batches.h"
-#include "world/appearance.h"
-#include "world/packed_values-inl.h"
-#include "world/primitive_bounds-inl.h"
+#include "world/appearance/appearance.h"
+#include "world/geometry/packed_values-inl.h"
+#include "world/geometry/primitive_bounds-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

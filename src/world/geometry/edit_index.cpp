@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "world/edit_index.h"
+#include "world/geometry/edit_index.h"
 
 #include <algorithm>
 

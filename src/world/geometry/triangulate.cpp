@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "world/triangulate.h"
+#include "world/geometry/triangulate.h"
 
 #include <cstdint>
 

@@ -9,7 +9,7 @@
 #include "bvh/refit.h"
 #include "glint/shapes.h"
 #include "glint/vec.h"
-#include "world/surface_id.h"
+#include "world/geometry/surface_id.h"
 
 namespace glint {
 

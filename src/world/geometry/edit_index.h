@@ -8,7 +8,7 @@
 
 #include "base/one_at_a_time.h"
 #include "bvh/refit.h"
-#include "world/packed_geometry.h"
+#include "world/geometry/packed_geometry.h"
 
 namespace glint {
 

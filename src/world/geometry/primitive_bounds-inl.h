@@ -9,8 +9,8 @@
 
 #include "geometry/kinds-inl.h"
 #include "math/aabb.h"
-#include "world/packed_geometry.h"
-#include "world/packed_values-inl.h"
+#include "world/geometry/packed_geometry.h"
+#include "world/geometry/packed_values-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 #define GLINT_NUMBER_NAMESPACE HWY_NAMESPACE

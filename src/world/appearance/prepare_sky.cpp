@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scene to World: the light from all directions, and the background gradient.
-#include "world/prepare_sky.h"
+#include "world/appearance/prepare_sky.h"
 
 #include <cstdint>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "world/light_alone.h"
+#include "world/appearance/light_alone.h"
 
 #include <utility>
 
-#include "world/prepare_sky.h"
-#include "world/shading.h"
+#include "world/appearance/prepare_sky.h"
+#include "world/appearance/shading.h"
 
 namespace glint {
 namespace {

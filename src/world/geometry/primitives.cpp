@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "world/primitives.h"
+#include "world/geometry/primitives.h"
 
 #include <span>
 #include <type_traits>
@@ -7,7 +7,7 @@
 #include "geometry/kinds-inl.h"
 #include "math/extent.h"
 #include "math/transform.h"
-#include "world/triangulate.h"
+#include "world/geometry/triangulate.h"
 
 namespace glint {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/kinds-inl.h"
-#include "world/packed_geometry.h"
-#include "world/packed_values-inl.h"
+#include "world/geometry/packed_geometry.h"
+#include "world/geometry/packed_values-inl.h"
 
 namespace glint {
 namespace {

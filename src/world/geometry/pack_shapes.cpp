@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "world/pack_shapes.h"
+#include "world/geometry/pack_shapes.h"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 #include "base/huge_pages.h"
 #include "base/parallel_chunks.h"
 #include "bvh/rays.h"
-#include "world/edit_index.h"
+#include "world/geometry/edit_index.h"
 
 namespace glint {
 namespace {

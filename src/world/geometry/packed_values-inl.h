@@ -8,7 +8,7 @@
 #endif
 
 #include "simd/lanes-inl.h"
-#include "world/packed_geometry.h"
+#include "world/geometry/packed_geometry.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

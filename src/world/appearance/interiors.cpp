@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The objects that contain the camera, for fog that is outside of objects.
-#include "world/interiors.h"
+#include "world/appearance/interiors.h"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 
 #include "geometry/kinds-inl.h"
 #include "math/number.h"
-#include "world/appearance.h"
-#include "world/packed_values-inl.h"
+#include "world/appearance/appearance.h"
+#include "world/geometry/packed_values-inl.h"
 
 namespace glint {
 namespace {

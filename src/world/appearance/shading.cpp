@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "world/shading.h"
+#include "world/appearance/shading.h"
 
 #include <algorithm>
 #include <limits>

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "glint/world.h"
-#include "world/packed_geometry.h"
-#include "world/primitives.h"
+#include "world/geometry/packed_geometry.h"
+#include "world/geometry/primitives.h"
 
 namespace glint {
 
