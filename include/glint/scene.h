@@ -265,6 +265,10 @@ struct Material {
     double mirror_metallic =
         0;  ///< 0 to 1: what the mirror shows has the tint of `metallic`, by the ray's angle
 
+    /// Instead of `transmit`, rays see through the surface by 1 - (1 + cos(pi transmit c))^2 / 4, with the
+    /// cosine c of ray and normal (Raster3D, Tachyon). Shadows have `transmit`.
+    bool angled_opacity = false;
+
     // Transparency without refraction: what is behind is seen times transmit + filter * color (POV-Ray).
     double filter = 0;    ///< 0 to 1; with `transmit` at most 1; only if `transmission` is 0
     double transmit = 0;  ///< 0 to 1: not tinted; Tachyon's 1 - opacity

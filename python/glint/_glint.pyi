@@ -140,6 +140,7 @@ class Material:
         transmit: float = ...,
         outline: float = ...,
         outline_width: float = ...,
+        angled_opacity: bool = ...,
         hollow: bool = ...,
         interior: int = ...,
     ) -> None: ...
@@ -168,6 +169,7 @@ class Material:
     transmit: float
     outline: float
     outline_width: float
+    angled_opacity: bool
     hollow: bool
     interior: int
     def __eq__(self, other: object) -> bool: ...

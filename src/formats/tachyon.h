@@ -43,7 +43,6 @@ enum class TachyonShader : std::uint8_t { full, medium, low, lowest };
 
 /// Rules of Tachyon's that glint has only a part of, or none; in the order of k_limit_texts.
 enum class TachyonLimit : std::uint8_t {
-    raster3d,
     fogged_light,
     vertex_colors,
     endless_cylinder,

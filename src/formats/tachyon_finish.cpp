@@ -17,7 +17,6 @@ namespace {
 constexpr double k_min_contribution = 0.001959;
 
 constexpr std::string_view k_limit_texts[] = {
-    "glint does not render opacity that depends on the angle (Raster3D): it is constant here",
     "the spheres of lights are in the fog here; in Tachyon they are not",
     "glint does not mix the colors of vertices: each triangle has the mean of its three",
     "the endless cylinder ends a million radii from its Center",
@@ -41,6 +40,7 @@ Material material_of(const TachyonTexture& t, const TachyonState& state, double 
     m.outline = t.outline;
     m.outline_width = t.outline > 0 ? t.outline_width : 0;
     m.transmit = t.opacity < 1 - k_min_contribution ? 1 - t.opacity : 0;
+    m.angled_opacity = m.transmit > 0 && (t.fades_at_angles || state.is_raster3d);
     return m;
 }
 

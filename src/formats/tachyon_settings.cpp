@@ -132,7 +132,6 @@ bool TachyonReader::read_mode() {
         set("transparency", "add", mode);
     } else if (scanner_.accept("TRANS_RASTER3D")) {
         state_.is_raster3d = true;
-        note_limit(TachyonLimit::raster3d, mode);
     } else if (scanner_.accept("TRANS_VMD")) {
         set("transparency", "blend", mode);
     } else if (scanner_.accept("FOG_VMD")) {

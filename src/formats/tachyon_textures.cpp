@@ -81,7 +81,6 @@ std::uint32_t TachyonReader::material_of(const TachyonTexture& texture, const To
         note(scene_.material_texts, scene_.materials.size(), source_place(text_, place));
         scene_.materials.emplace_back();
         state_.textures.emplace_back(at->second, texture);
-        if (texture.fades_at_angles && texture.opacity < 1) note_limit(TachyonLimit::raster3d, place);
     }
     return at->second;
 }

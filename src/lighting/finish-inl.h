@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The formulas of POV-Ray's finishes (measured; docs/lighting.md): brilliance, metals, and mirrors that
-// depend on the angle; and of Tachyon's outlines. Pure functions.
+// depend on the angle; and of Tachyon's outlines and Raster3D's opacity. Pure functions.
 #if defined(GLINT_LIGHTING_FINISH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_LIGHTING_FINISH_INL_H_
 #undef GLINT_LIGHTING_FINISH_INL_H_
@@ -39,6 +39,14 @@ template <class T> HWY_INLINE Vector3<T> metal_tint(Vector3<T> color, T metallic
 template <class T> HWY_INLINE T angled_mirror(T least, T most, T falloff, T cosine) {
     const T power = pow(max(T(1) - cosine, T(0)), falloff);
     return select(falloff == T(0), most, least + (most - least) * power);
+}
+
+/// Raster3D's transparency of a surface whose normal has this cosine, 0 to 1, with the ray: 1 - s^2 / 4, s =
+/// 1 + cos(pi transmit cosine) (Tachyon, measured).
+template <class T> HWY_INLINE T angled_transmit(T transmit, T cosine) {
+    constexpr double k_pi = 0x1.921fb54442d18p+1;
+    const T s = T(1) + cos(T(k_pi) * transmit * cosine);
+    return T(1) - s * s * T(0.25);
 }
 
 /// The factor of diffuse light on a surface with an outline, whose normal has this cosine, 0 to 1, with the

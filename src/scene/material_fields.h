@@ -85,6 +85,8 @@ inline constexpr ItemField<Material> k_material_fields[] = {
      "how dark diffuse light is where the surface turns away from the ray"},
     {"outline_width", "outline_width", "width of the outline",
      number_field(&Material::outline_width, k_fraction), "from 0, a thin outline, to 1, the whole surface"},
+    {"angled_opacity", "angled_opacity", "opacity by the angle", bool_field(&Material::angled_opacity),
+     "transmit grows where the surface turns to the ray, as in Raster3D"},
     {"hollow", "hollow", "hollow", bool_field(&Material::hollow),
      "fog_extent = outside_objects: rays inside are in the fog"},
     {"interior", "interior", "interior", whole_field(&Material::interior, k_interior),

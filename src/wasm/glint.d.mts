@@ -316,6 +316,8 @@ export interface MaterialValues {
     outline: number;
     /** from 0, a thin outline, to 1, the whole surface */
     outline_width: number;
+    /** transmit grows where the surface turns to the ray, as in Raster3D */
+    angled_opacity: boolean;
     /** fog_extent = outside_objects: rays inside are in the fog */
     hollow: boolean;
     /** above 0: the shapes of materials with the same number are one object for fog_extent */

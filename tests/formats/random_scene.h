@@ -189,6 +189,7 @@ class RandomScene {
         m.tinted_highlight = pick(4) != 0;
         if (pick(4) == 0) m.mirror_falloff = 1e9 * fraction(), m.mirror_min = fraction();
         if (pick(4) == 0) m.mirror_metallic = fraction();
+        if (pick(4) == 0) m.angled_opacity = true;
         if (pick(4) == 0) m.outline = fraction(), m.outline_width = fraction();
         if (pick(4) == 0) m.hollow = true;
         if (pick(4) == 0) m.interior = static_cast<std::int32_t>(pick(1000)) + 1;

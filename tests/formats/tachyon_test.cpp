@@ -383,12 +383,22 @@ TEST(Tachyon, TheFirstDefinitionOfATextureCounts) {
     EXPECT_EQ(messages(s).find("is defined already"), messages(s).rfind("is defined already")) << "once";
 }
 
+TEST(Tachyon, Raster3DIsOpacityByTheAngle) {
+    const auto angled = [](const std::string& mode, const std::string& texture) {
+        const Scene s =
+            dat_scene(DAT_SCENE + mode + "Sphere Center 0 0 0 Rad 1 Texture Ambient 0 Diffuse 1 Specular 0 " +
+                      texture + " Color 1 1 1 TexFunc 0");
+        return s.materials[s.shapes.back().material].angled_opacity;
+    };
+    EXPECT_TRUE(angled("", "Opacity 0.5 TransMode R3D"));
+    EXPECT_FALSE(angled("", "Opacity 0.5"));
+    EXPECT_FALSE(angled("", "Opacity 1 TransMode R3D"));
+    const std::string mode = "Shader_Mode Full Trans_Raster3D ";
+    EXPECT_TRUE(angled(mode + "End_Shader_Mode ", "Opacity 0.5"));
+    EXPECT_TRUE(angled(mode + "Trans_VMD End_Shader_Mode ", "Opacity 0.5"));
+}
+
 TEST(Tachyon, LimitsAreNamedOnce) {
-    expect_dat_warning(
-        DAT_SCENE
-        "Sphere Center 0 0 0 Rad 1 Texture Ambient 0 Diffuse 1 Specular 0 Opacity 0.5 TransMode R3D "
-        "Color 1 1 1 TexFunc 0",
-        "opacity that depends on the angle");
     expect_dat_warning(DAT_SCENE "Cylinder Center 0 0 0 Axis 0 0 1 Rad 1 " DAT_TEXTURE,
                        "the endless cylinder ends");
     expect_dat_warning(DAT_SCENE "STri V0 0 0 0 V1 0 1 0 V2 1 0 0 N0 0 0 -1 N1 0 0 -2 N2 0 0 -1 " DAT_TEXTURE,

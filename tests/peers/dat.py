@@ -68,6 +68,10 @@ RULES = [
     rule("mirrors", BALL + "Sphere Center 0.8 0.9 -0.6 Rad 0.9 " + texture("0.3 0.6 0.9", specular=0.6)),
     rule("trans_orig", BALL + GLASS, mode="Shader_Mode Medium End_Shader_Mode"),
     rule("trans_vmd", BALL + GLASS, mode="Shader_Mode Medium Trans_VMD End_Shader_Mode"),
+    rule("raster3d", BALL + GLASS, mode="Shader_Mode Full Trans_Raster3D End_Shader_Mode"),
+    rule("raster3d_vmd", BALL + GLASS, mode="Shader_Mode Full Trans_VMD Trans_Raster3D End_Shader_Mode"),
+    rule("raster3d_texture", BALL + GLASS + "FCylinder Base -1 0.2 -2 Apex 1 0.5 -3 Rad 0.3 " +
+         texture("0.9 0.5 0.2", opacity=0.3, outline="TransMode R3D")),
     rule("shadow_filter_off", BALL + GLASS, mode="Shader_Mode Full Shadow_Filter_Off End_Shader_Mode"),
     rule("limit_in_fog", FOGGED + GLASS + "Sphere Center -1.2 0.8 0 Rad 0.8 " + texture("0.3 0.6 0.9", specular=0.6), depth=2),
     rule("outlines", "Sphere Center -1.2 0.8 0 Rad 0.8 " + texture("0.9 0.5 0.2", outline="Outline 1 Outline_Width 0.4") +

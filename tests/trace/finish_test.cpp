@@ -230,6 +230,33 @@ TEST(Finishes, OutlineDarkensTheSky) {
     expect_explained(scene);
 }
 
+TEST(Finishes, OpacityDependsOnTheAngle) {
+    Material m = white();
+    m.transmit = 0.6;
+    m.angled_opacity = true;
+    Scene scene = ball(m);
+    scene.conventions.transparency = Transparency::blend;
+    const World world = *make_world(scene);
+    double least = 1, most = 0;
+    for (int y = 0; y < scene.settings.height; y += 2) {
+        for (int x = 0; x < scene.settings.width; x += 3) {
+            const Explanation e = explain(scene, world, x, y).value();
+            for (const ExplainedRay& ray : e.rays) {
+                if (!ray.hit) continue;
+                const Vec3 d = ray.direction;
+                const double c = std::abs(dot(ray.hit->normal, d)) / std::sqrt(dot(d, d));
+                const double s = 1 + std::cos(3.14159265358979 * 0.6 * c);
+                EXPECT_NEAR(ray.hit->opacity, s * s / 4, 1e-9);
+                least = std::min(least, ray.hit->opacity);
+                most = std::max(most, ray.hit->opacity);
+            }
+        }
+    }
+    EXPECT_LT(least, 0.2);
+    EXPECT_GT(most, 0.6);
+    expect_explained(scene);
+}
+
 TEST(Finishes, SecondHighlightIsPhongs) {
     for (const Shading shading : {Shading::phong, Shading::blinn_phong, Shading::diffuse}) {
         Material m = white();

@@ -136,10 +136,11 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
     const Vector3<Doubles> weight = load_vector3(surfaces.weight, h);
     SecondaryWeights b = secondary_weights<plain>(world, material, surface, a, refracts, from_inside, weight);
     if (transparent && any(through))
-        weight_straight_rays(world, TransparencyLanes(world, material), through, weight, b);
+        weight_straight_rays(world, transparency_of(world, material, surfaces, h), through, weight, b);
     // If plain, none are: queue_secondary_rays() has returned.
     const auto at_limit = plain ? through : are_at_limit(world, surfaces, h);
-    if (!plain && any(at_limit)) weight_rays_at_limit(world, material, a, at_limit, through, weight, b);
+    if (!plain && any(at_limit))
+        weight_rays_at_limit(world, material, surfaces, h, a, at_limit, through, weight, b);
     const auto may_start =
         plain || rules.limit == LimitRule::background ? has_secondary : and_not(has_secondary, at_limit);
     const auto kept = [&](Vector3<Doubles> w, LaneMask<double> of) HWY_ATTR {

@@ -48,7 +48,7 @@ HWY_INLINE LocalShares local_shares(const WorldParts& world, const MaterialLanes
     Doubles share = rules.mirror == MirrorRule::add ? one
                                                     : (one - material.value(k_transmission)) *
                                                           (one - mirror_of(world, material, surfaces, h));
-    Doubles opacity = TransparencyLanes(world, material).opacity(rules.opacity);
+    Doubles opacity = transparency_of(world, material, surfaces, h).opacity(rules.opacity);
     if (keep) {
         const auto at_limit = are_at_limit(world, surfaces, h);
         share = select(at_limit, one, share);
@@ -113,13 +113,14 @@ HWY_INLINE void weight_straight_rays(const WorldParts& world, const Transparency
 
 /// LimitRule::background: the weights of the rays that see the background are those of the rays before them
 /// (Tachyon), and with Transparency::blend the mirror ray's is reduced by the opacity.
-inline void weight_rays_at_limit(const WorldParts& world, const MaterialLanes& material, Doubles a,
-                                 LaneMask<double> at_limit, LaneMask<double> through, Vector3<Doubles> weight,
-                                 SecondaryWeights& b) {
+inline void weight_rays_at_limit(const WorldParts& world, const MaterialLanes& material,
+                                 const SurfaceBatch& surfaces, int h, Doubles a, LaneMask<double> at_limit,
+                                 LaneMask<double> through, Vector3<Doubles> weight, SecondaryWeights& b) {
     b.transmitted = select_vector3(at_limit, weight, b.transmitted);
     const auto mirror = at_limit && a > Doubles(0);
     if (world.has_transparency() && world.conventions.transparency == Transparency::blend) {
-        const Doubles opacity = TransparencyLanes(world, material).opacity(world.conventions.opacity);
+        const Doubles opacity =
+            transparency_of(world, material, surfaces, h).opacity(world.conventions.opacity);
         weight = select_vector3(through, weight * opacity, weight);
     }
     b.reflected = select_vector3(mirror, weight, b.reflected);

@@ -132,6 +132,18 @@ HWY_INLINE Doubles outline_of(const WorldParts& world, const MaterialLanes& mate
                           incidence(load_vector3(surfaces.normal, h), load_vector3(surfaces.incoming, h)));
 }
 
+/// The transparency of the surfaces at h, for rays that see them.
+HWY_INLINE TransparencyLanes transparency_of(const WorldParts& world, const MaterialLanes& material,
+                                             const SurfaceBatch& surfaces, int h) {
+    TransparencyLanes transparency(world, material);
+    if (!world.uses<&Material::angled_opacity>()) return transparency;
+    const Doubles angled = ExtendedLanes(world, material).value<&Material::angled_opacity>();
+    const Doubles cosine = incidence(load_vector3(surfaces.normal, h), load_vector3(surfaces.incoming, h));
+    transparency.transmit =
+        select(angled > Doubles(0), angled_transmit(transparency.transmit, cosine), transparency.transmit);
+    return transparency;
+}
+
 /// The color of what the mirror shows.
 template <bool plain = false>
 HWY_INLINE Vector3<Doubles> mirror_tint_of(const WorldParts& world, const MaterialLanes& material,
