@@ -46,6 +46,18 @@ def test_memory_errors_say_what_is_needed():
     assert said == "out of memory: 65536x65536 pixels need 48 GiB\n"
 
 
+def test_what_glint_does_not_render_is_left_out_if_asked_for(tmp_path):
+    text = "torus { 1, .2 } torus { 2, .1 } sphere { 0, 1 }"
+    with pytest.raises(glint.GlintError, match="does not render `torus`"):
+        glint.loads(text, "povray")
+    with pytest.warns(UserWarning, match="left out 2 objects that glint does not render: `torus`"):
+        scene = glint.loads(text, "povray", skip_unsupported=True)
+    assert len(scene.shapes) == 1
+    (tmp_path / "a.pov").write_text(text)
+    with pytest.warns(UserWarning, match="left out 2 objects"):
+        assert glint.load(tmp_path / "a.pov", skip_unsupported=True) == scene
+
+
 def test_errors_of_a_scene_made_in_code_name_the_item():
     scene = glint.Scene()
     scene.add(glint.Sphere((0, 0, 0), 1))

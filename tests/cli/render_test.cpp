@@ -124,7 +124,7 @@ TEST(Render, TheExtensionChoosesTheFormat) {
     EXPECT_EQ(folder.read("a.png"), folder.read("a.PNG"));
     EXPECT_TRUE(folder.read("a.ppm").starts_with("P6\n9 7\n255\n"));
     EXPECT_TRUE(folder.read("a.exr").starts_with("\x76\x2f\x31\x01"));
-    const Finished r = run(folder, {"render", "a.cgfs", "-o", "a.jpg"});
+    const Finished r = run(folder, {"render", "a.cgfs", "-o", "a.gif"});
     EXPECT_EQ(r.code, 2);
     EXPECT_TRUE(contains(r.err, ".png, .ppm and .exr")) << r.err;
 }
