@@ -20,9 +20,9 @@ define show3
     printf "  $arg0 (%g, %g, %g)\n", $arg1[0]._M_elems[0], $arg1[1]._M_elems[0], $arg1[2]._M_elems[0]
 end
 
-tbreak glint::load
+tbreak glint::load_validated
 run
-stage glint::prepare
+stage prepare_valid
 printf "  %d shapes\n", scene.shapes._M_impl._M_finish - scene.shapes._M_impl._M_start
 stage glint::render
 

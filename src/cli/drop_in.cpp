@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/failure.h"
+#include "cli/output_file.h"
 #include "cli/print_error.h"
 #include "cli/program.h"
 
@@ -33,7 +34,7 @@ int run(const DropInProgram& program, const std::vector<std::string>& arguments)
             return k_done;
         }
         const std::string& output = parsed.render.output;
-        if (output == "-" || output == "/dev/stdout") copies_errors_to_output() = false;
+        if (is_standard_output(output)) CopiesErrors::set(false);
         for (const std::string& warning : parsed.warnings)
             print_error("{}: warning: {}\n", program.name, warning);
         return render(parsed) == k_done ? k_done : program.failure;
@@ -56,11 +57,11 @@ bool stands_in(const DropInProgram& program, int count, char** values) {
 int run_drop_in(const DropInProgram& program, int count, char** values) {
     const bool stands = stands_in(program, count, values);
     // Callers read standard output and look at its last line; others see standard error.
-    copies_errors_to_output() = stands;
+    CopiesErrors::set(stands);
     const int code = run_program(program.name, program.failure, [&] {
         return run(program, {values + std::min(count, 1), values + count});
     });
-    if (!copies_errors_to_output() || code != program.failure) return code;
+    if (!CopiesErrors::get() || code != program.failure) return code;
     fmt::print("{}\n", program.refusal);
     return std::fflush(stdout) == 0 ? k_done : code;
 }

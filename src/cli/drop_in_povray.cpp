@@ -16,6 +16,8 @@
 #include "cli/file_policy.h"
 #include "cli/foreign_table.h"
 #include "cli/input_file.h"
+#include "cli/output_file.h"
+#include "cli/picture_endings.h"
 #include "cli/text.h"
 #include "formats/number_text.h"
 
@@ -357,10 +359,12 @@ class PovrayArguments {
         if (*numbers.format != FileFormat::png && *numbers.format != FileFormat::ppm) numbers.bits = 8;
         numbers.jpeg_quality = jpeg_quality_;
         render.output = writes_ ? output_path() : "/dev/null";
-        if (writes_) check_output();
         render.scene.include_paths = folders_;
         set_part();
         set_frames();
+        if (!writes_) return;
+        if (parsed_.frames.empty()) check_output(render.output);
+        for (const DropInFrame& frame : parsed_.frames) check_output(frame.output);
     }
 
     // POV-Ray's picture has its whole size, with black around the part.
@@ -383,7 +387,7 @@ class PovrayArguments {
         const bool is_alone = animation_.first_frame.value_or(1) >= animation_.last_frame.value_or(0);
         if (!parsed_.frames.empty() && is_alone)
             warn("an animation of one frame: its clock is Initial_Clock; in POV-Ray it is not a number");
-        if (!parsed_.frames.empty() && parsed_.render.output == "-")
+        if (!parsed_.frames.empty() && is_standard_output(parsed_.render.output))
             throw Failure(k_usage, "an animation is several files: name them with +O");
         const bool has_frames = animation_.first_frame || animation_.last_frame.value_or(0) >= 1;
         if (has_frames && parsed_.frames.empty())
@@ -391,8 +395,7 @@ class PovrayArguments {
     }
 
     // Somebody else's .ini must not write to any place: on the command line the user sees where.
-    void check_output() const {
-        const std::string& path = parsed_.render.output;
+    void check_output(const std::string& path) const {
         if (output_place_.empty() || path == "-" || is_inside(path, ".") || is_inside(path, ini_folder_))
             return;
         throw Failure(k_usage,
@@ -403,12 +406,7 @@ class PovrayArguments {
 
     std::string output_path() const {
         const FileFormat format = *parsed_.render.numbers.format;
-        const std::string ending = format == FileFormat::tga    ? ".tga"
-                                   : format == FileFormat::ppm  ? ".ppm"
-                                   : format == FileFormat::exr  ? ".exr"
-                                   : format == FileFormat::jpeg ? ".jpg"
-                                   : format == FileFormat::bmp  ? ".bmp"
-                                                                : ".png";
+        const std::string ending = ending_of(format);
         std::string name = (input_ == "-" ? std::string("stdin") : stem(input_)) + ending;
         if (output_.empty()) return name;
         std::error_code ignored;

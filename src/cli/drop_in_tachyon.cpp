@@ -8,6 +8,7 @@
 #include "cli/drop_in.h"
 #include "cli/failure.h"
 #include "cli/foreign_table.h"
+#include "cli/picture_endings.h"
 #include "formats/number_text.h"
 
 namespace glint::cli {
@@ -29,24 +30,7 @@ class TachyonArguments {
         if (parsed_.wants_help || parsed_.wants_version) return std::move(parsed_);
         if (render.scene.files.empty() || render.scene.files[0].empty())
             throw Failure(k_usage, "expected the name of a model file");
-        if (render.output.empty()) {
-            switch (*render.numbers.format) {
-                case FileFormat::png:
-                    render.output = "outfile.png";
-                    break;
-                case FileFormat::ppm:
-                    render.output = "outfile.ppm";
-                    break;
-                case FileFormat::bmp:
-                    render.output = "outfile.bmp";
-                    break;
-                case FileFormat::jpeg:
-                    render.output = "outfile.jpg";
-                    break;
-                default:
-                    render.output = "outfile.tga";
-            }
-        }
+        if (render.output.empty()) render.output = "outfile" + ending_of(*render.numbers.format);
         if (!writes_) render.output = "/dev/null";
         const std::string text = settings_text();
         if (!text.empty()) render.scene.further_texts.emplace_back("command line", text);

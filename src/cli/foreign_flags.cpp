@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/foreign_table.h"
+#include "cli/picture_endings.h"
 
 namespace glint::cli {
 namespace {
@@ -96,7 +97,8 @@ void answer_povray(const std::string& flag, Answer& answer) {
             return answer.add_line(flag, "--crop WxH+X+Y renders a part of the picture");
         case PovrayKey::file_type:
             return answer.add_line(
-                flag, "OUT's extension chooses the file type: .png .ppm .tga .exr; --bits 16 writes 16 bits");
+                flag, fmt::format("OUT's extension chooses the file type: {}; --bits 16 writes 16 bits",
+                                  k_picture_endings_text));
         case PovrayKey::verbose:
             if (off) return answer.use(flag, "--quiet");
             return answer.add_line(

@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/failure.h"
 #include "cli/journal_picture.h"
+#include "cli/picture_endings.h"
 #include "cli/picture_output.h"
 #include "cli/print_error.h"
 #include "cli/text.h"
@@ -111,7 +112,8 @@ Run add_join(CLI::App& app) {
         ->required();
     command
         .add_option("-o,--output", a.output,
-                    "The picture: .png, .ppm or .exr. Its layers are those that were rendered with --aov")
+                    fmt::format("The picture: {}. Its layers are those that were rendered with --aov",
+                                k_picture_endings_text))
         ->option_text("OUT")
         ->required();
     add_number_arguments(command, a.numbers);

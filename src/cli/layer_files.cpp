@@ -72,7 +72,7 @@ void add_layer_argument(CLI::App& command, std::optional<std::string>& aov) {
             "--aov", aov,
             fmt::format("Also write these layers, separated by commas: {}; or all. light:NAME, or "
                         "light:2: the picture with this light alone; light:none: without lights. OpenEXR: as "
-                        "parts of the file; PNG and PPM: as separate files, such as castle.normal.png",
+                        "parts of the file; other formats: as separate files, such as castle.normal.png",
                         joined(layer_names())))
         ->option_text("LAYERS");
 }

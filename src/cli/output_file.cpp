@@ -51,8 +51,12 @@ void sync_folder(const std::string& folder) {
     ::close(descriptor);
 }
 
+bool is_standard_output(const std::string& path) {
+    return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1";
+}
+
 OutputFile::OutputFile(const std::string& option, std::string path) : path_(std::move(path)), target_(path_) {
-    standard_output_ = path_ == "-" || path_ == "/dev/stdout" || path_ == "/dev/fd/1";
+    standard_output_ = cli::is_standard_output(path_);
     if (standard_output_) note_standard_output(option);
     struct stat about {};
     const bool exists = !standard_output_ && ::stat(path_.c_str(), &about) == 0;

@@ -10,6 +10,9 @@
 
 namespace glint::cli {
 
+/// Whether a path is that of standard output: "-", /dev/stdout or /dev/fd/1.
+bool is_standard_output(const std::string& path);
+
 /// The destination of a file's bytes; checked before the work begins.
 class OutputFile {
   public:
@@ -17,7 +20,7 @@ class OutputFile {
     /// nothing can be written there, and a usage error if it would overwrite a file (overwriting.h).
     OutputFile(const std::string& option, std::string path);
 
-    /// True for "-" and /dev/stdout.
+    /// By the function of this name.
     bool is_standard_output() const { return standard_output_; }
     /// True for standard output, devices and pipes: their names do not choose a format.
     bool is_stream() const { return direct_; }

@@ -9,6 +9,7 @@
 
 #include "cli/clock.h"
 #include "cli/failure.h"
+#include "cli/picture_endings.h"
 #include "cli/terminal.h"
 #include "cli/text.h"
 
@@ -16,30 +17,14 @@ namespace glint::cli {
 namespace {
 
 std::optional<FileFormat> format_of_name(const std::string& path) {
-    const std::string ending = extension(path);
-    if (ending == ".png") return FileFormat::png;
-    if (ending == ".ppm") return FileFormat::ppm;
-    if (ending == ".exr") return FileFormat::exr;
-    if (ending == ".tga") return FileFormat::tga;
-    if (ending == ".bmp") return FileFormat::bmp;
-    if (ending == ".jpg" || ending == ".jpeg") return FileFormat::jpeg;
-    return std::nullopt;
-}
-
-const char* why_no_alpha(FileFormat format) {
-    return format == FileFormat::tga   ? "glint writes TGA without alpha"
-           : format == FileFormat::bmp ? "glint writes BMP without alpha"
-           : format == FileFormat::ppm ? "PPM has no alpha channel"
-                                       : "JPEG has no alpha channel";
+    return format_of_ending(extension(path));
 }
 
 FileFormat format_of(const std::string& path, const OutputFile& output, const NumberArguments& numbers) {
     if (numbers.format) return *numbers.format;
     if (const auto format = format_of_name(path)) return *format;
     if (output.is_stream()) return FileFormat::png;
-    throw Failure(
-        k_usage,
-        fmt::format("--output '{}': glint writes .png, .ppm and .exr, and .tga, .bmp and .jpg", path));
+    throw Failure(k_usage, fmt::format("--output '{}': glint writes {}", path, k_picture_endings_text));
 }
 
 EncodeOptions encoding_of(const PictureDestination& destination, const ByteRule& rule, int threads) {
@@ -49,12 +34,15 @@ EncodeOptions encoding_of(const PictureDestination& destination, const ByteRule&
     return encoding;
 }
 
-// Whether the picture has alpha. Throws Failure if the file cannot have it.
-bool check_alpha(const PictureDestination& destination, bool has_alpha) {
-    if (has_alpha && destination.format != FileFormat::png && destination.format != FileFormat::exr)
+// Throws Failure if the picture cannot be encoded so.
+EncodeOptions checked(const EncodeOptions& encoding, const std::string& path, const Crop& area, bool alpha) {
+    const std::string wrong = encoding_fault(area.width, area.height, encoding, false);
+    if (!wrong.empty()) throw Failure(k_usage, fmt::format("--output '{}': {}", path, wrong));
+    const std::string no_alpha = encoding_fault(area.width, area.height, encoding, alpha);
+    if (!no_alpha.empty())
         throw Failure(k_usage, fmt::format("--output '{}': {}; write .png or .exr, or render without alpha",
-                                           destination.path, why_no_alpha(destination.format)));
-    return has_alpha;
+                                           path, no_alpha));
+    return encoding;
 }
 
 // The layers that are written as such.
@@ -110,8 +98,8 @@ PictureOutput::PictureOutput(const PictureDestination& destination, const Pictur
                              int threads)
     : output_(destination.file),
       area_(contents.area),
-      alpha_(check_alpha(destination, contents.has_alpha)),
-      encoding_(encoding_of(destination, contents.rule, threads)),
+      alpha_(contents.has_alpha),
+      encoding_(checked(encoding_of(destination, contents.rule, threads), destination.path, area_, alpha_)),
       layers_(layers_but_alpha(contents), destination.path, destination.format, output_.is_stream()) {}
 
 double PictureOutput::bytes_a_pixel() const {
@@ -147,7 +135,6 @@ double PictureOutput::write(const JournalPicture& picture) const {
     if (encoding_.format == FileFormat::exr && has_layers()) {
         const auto file = output_.begin();
         const auto encoder = make_parts_encoder(area_.width, area_.height, layers_.wanted(), *file, alpha_);
-        if (encoder == nullptr) throw Failure(k_bad_input, "this build writes no OpenEXR");
         for (std::size_t part = 0; part <= layers_.wanted().size(); ++part) {
             picture.for_each_strip(part, 1, [&](std::int32_t strip, std::span<const float> values) {
                 const Crop area = strip_area(area_, strip);

@@ -73,7 +73,7 @@ class PictureOutput {
 /// Moves the layer alpha to the end of the list, or adds it there.
 void put_alpha_last(std::vector<Layer>& layers);
 
-/// True for a path that ends in .png, .ppm, .tga or .exr.
+/// True for a path with an ending of k_picture_endings.
 bool is_picture_path(const std::string& path);
 
 }  // namespace glint::cli

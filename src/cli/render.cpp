@@ -13,6 +13,7 @@
 #include "cli/journal_header.h"
 #include "cli/layer_files.h"
 #include "cli/output_plan.h"
+#include "cli/picture_endings.h"
 #include "cli/progress.h"
 #include "cli/render_arguments.h"
 #include "cli/render_output.h"
@@ -160,8 +161,10 @@ Run add_render(CLI::App& app, const RenderHooks& hooks) {
     command
         .add_option(
             "-o,--output", a.output,
-            "The picture: .png, .ppm, .tga or .exr; - is standard output (PNG). Default: SCENE's name with "
-            ".png, in the current folder")
+            fmt::format(
+                "The picture: {}; - is standard output (PNG). Default: SCENE's name with .png, in the "
+                "current folder",
+                k_picture_endings_text))
         ->option_text("OUT");
     add_picture_arguments(command, a.picture);
     add_alpha_argument(command, a.picture);

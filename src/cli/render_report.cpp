@@ -59,8 +59,8 @@ void print_result(const RenderArguments& arguments, const std::string& path, con
     std::uint64_t left_out = 0;
     for (const Diagnostic& d : warnings) left_out += d.left_out;
     if (left_out > 0)
-        print_error("{}  is without {} that glint does not render; the warnings name them\n", path,
-                    counted(left_out, "object"));
+        print_error("{}  is without {} that glint does not render{}\n", path, counted(left_out, "object"),
+                    arguments.hides_warnings ? "" : "; the warnings name them");
 }
 
 }  // namespace glint::cli

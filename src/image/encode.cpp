@@ -19,41 +19,52 @@ namespace {
 constexpr std::int32_t k_max_jpeg = 65500;                       // libjpeg's limit
 constexpr std::int64_t k_max_bmp = (std::int64_t{1} << 32) / 4;  // pixels, with the ends of rows
 
-// The name of a format that has only 8 bits and no alpha channel here; or null.
-const char* name_of_bytes_only(FileFormat format) {
+// What a format cannot do.
+struct FormatLimits {
+    const char* name;
+    bool is_built, has_alpha, has_16_bits;
+};
+
+#if defined(GLINT_WITH_PNG)
+constexpr bool k_has_png = true;
+#else
+constexpr bool k_has_png = false;
+#endif
+#if defined(GLINT_WITH_JPEG)
+constexpr bool k_has_jpeg = true;
+#else
+constexpr bool k_has_jpeg = false;
+#endif
+#if defined(GLINT_WITH_EXR)
+constexpr bool k_has_exr = true;
+#else
+constexpr bool k_has_exr = false;
+#endif
+
+FormatLimits limits_of(FileFormat format) {
     switch (format) {
+        case FileFormat::png:
+            return {"PNG", k_has_png, true, true};
+        case FileFormat::exr:
+            return {"OpenEXR", k_has_exr, true, true};
+        case FileFormat::ppm:
+            return {"PPM", true, false, true};
         case FileFormat::tga:
-            return "TGA";
+            return {"TGA", true, false, false};
         case FileFormat::bmp:
-            return "BMP";
+            return {"BMP", true, false, false};
         case FileFormat::jpeg:
-            return "JPEG";
-        default:
-            return nullptr;
+            break;
     }
+    return {"JPEG", k_has_jpeg, false, false};
 }
 
 // The reason why no encoder can write the picture, or an empty string.
-std::string fault(const Image& image, const EncodeOptions& options) {
-    if (image.width < 1 || image.height < 1 || image.width > k_max_size || image.height > k_max_size) {
-        return "a picture has 1 to " + std::to_string(k_max_size) + " pixels a side";
-    }
-    if (image.rgb.size() != std::size_t{3} * image.width * image.height) {
-        return "the picture's numbers do not fit its size";
-    }
-    if (options.bits != 8 && options.bits != 16) return "a channel has 8 or 16 bits";
-    if (options.format > FileFormat::jpeg) return "there is no such file format";
-    if (const char* name = name_of_bytes_only(options.format); name != nullptr && options.bits != 8)
-        return std::string(name) + " has 8 bits a channel";
-    if (options.jpeg_quality < 1 || options.jpeg_quality > 100) return "JPEG's quality is from 1 to 100";
-    if (options.format == FileFormat::jpeg && (image.width > k_max_jpeg || image.height > k_max_jpeg))
-        return "JPEG has at most " + std::to_string(k_max_jpeg) + " pixels a side";
-    if (options.format == FileFormat::bmp && std::int64_t{image.width} * image.height > k_max_bmp)
-        return "BMP has at most 4 GiB";
-    if (options.transfer > Transfer::srgb) return "there is no such transfer curve";
-    if (options.rounding > Rounding::down) return "there is no such rounding";
-    if (!(options.gamma > 0 && options.gamma <= 100)) return "gamma: expected a number > 0 and at most 100";
-    return {};
+std::string fault(const Image& image, const EncodeOptions& options, bool alpha = false) {
+    std::string wrong = encoding_fault(image.width, image.height, options, alpha);
+    if (wrong.empty() && image.rgb.size() != std::size_t{3} * image.width * image.height)
+        wrong = "the picture's numbers do not fit its size";
+    return wrong;
 }
 
 std::string alpha_fault(const Image& image, std::span<const float> alpha) {
@@ -72,10 +83,6 @@ std::string layers_fault(const Image& picture, std::span<const LayerImage> layer
             return "the layer '" + layer_name(layer.layer) + "' is there twice";
     }
     return {};
-}
-
-Status not_built(const char* format) {
-    return invalid_argument("this build writes no " + std::string(format));
 }
 
 // Strips in parallel: all are in memory together.
@@ -115,22 +122,46 @@ std::vector<std::uint8_t> encode_strips(const Image& image, std::span<const floa
 
 }  // namespace
 
+std::string encoding_fault(std::int32_t width, std::int32_t height, const EncodeOptions& options,
+                           bool alpha) {
+    if (width < 1 || height < 1 || width > k_max_size || height > k_max_size)
+        return "a picture has 1 to " + std::to_string(k_max_size) + " pixels a side";
+    if (options.format > FileFormat::jpeg) return "there is no such file format";
+    const FormatLimits limits = limits_of(options.format);
+    if (!limits.is_built) return "this build writes no " + std::string(limits.name);
+    if (options.bits != 8 && options.bits != 16) return "a channel has 8 or 16 bits";
+    if (options.bits != 8 && !limits.has_16_bits) return std::string(limits.name) + " has 8 bits a channel";
+    if (options.jpeg_quality < 1 || options.jpeg_quality > 100) return "JPEG's quality is from 1 to 100";
+    if (options.format == FileFormat::jpeg && (width > k_max_jpeg || height > k_max_jpeg))
+        return "JPEG has at most " + std::to_string(k_max_jpeg) + " pixels a side";
+    if (options.format == FileFormat::bmp && std::int64_t{width} * height > k_max_bmp)
+        return "BMP has at most 4 GiB";
+    if (options.transfer > Transfer::srgb) return "there is no such transfer curve";
+    if (options.rounding > Rounding::down) return "there is no such rounding";
+    if (!(options.gamma > 0 && options.gamma <= 100)) return "gamma: expected a number > 0 and at most 100";
+    if (!alpha || limits.has_alpha) return {};
+    const bool can_have = options.format == FileFormat::tga || options.format == FileFormat::bmp;
+    return can_have ? "glint writes " + std::string(limits.name) + " without alpha"
+                    : std::string(limits.name) + " has no alpha channel";
+}
+
 std::unique_ptr<StripEncoder> make_strip_encoder(std::int32_t width, std::int32_t height,
-                                                 const EncodeOptions& options, ByteFile& file,
-                                                 [[maybe_unused]] bool alpha) {
+                                                 const EncodeOptions& options, ByteFile& file, bool alpha) {
+    if (std::string wrong = encoding_fault(width, height, options, alpha); !wrong.empty())
+        throw StatusError(invalid_argument(std::move(wrong)));
     switch (options.format) {
-        case FileFormat::png:
-#if defined(GLINT_WITH_PNG)
-            return make_png_encoder(width, height, options, file, alpha);
-#else
-            return nullptr;
-#endif
         case FileFormat::ppm:
             return make_ppm_encoder(width, height, options, file);
         case FileFormat::tga:
             return make_tga_encoder(width, height, options, file);
         case FileFormat::bmp:
             return make_bmp_encoder(width, height, options, file);
+        case FileFormat::png:
+#if defined(GLINT_WITH_PNG)
+            return make_png_encoder(width, height, options, file, alpha);
+#else
+            break;
+#endif
         case FileFormat::jpeg:
 #if defined(GLINT_WITH_JPEG)
             return make_jpeg_encoder(width, height, options, file);
@@ -167,34 +198,12 @@ std::vector<float> with_alpha(std::span<const float> rgb, std::span<const float>
 namespace {
 
 // alpha: empty, or of the picture's size.
-Result<std::vector<std::uint8_t>> encode_checked(const Image& image,
-                                                 [[maybe_unused]] std::span<const float> alpha,
-                                                 const EncodeOptions& options) {
-    switch (options.format) {
-        case FileFormat::png:
-#if defined(GLINT_WITH_PNG)
-            return encode_strips(image, alpha, options);
-#else
-            return not_built("PNG");
-#endif
-        case FileFormat::ppm:
-        case FileFormat::tga:
-        case FileFormat::bmp:
-            return encode_strips(image, {}, options);
-        case FileFormat::jpeg:
-#if defined(GLINT_WITH_JPEG)
-            return encode_strips(image, {}, options);
-#else
-            return not_built("JPEG");
-#endif
-        case FileFormat::exr:
+std::vector<std::uint8_t> encode_checked(const Image& image, std::span<const float> alpha,
+                                         const EncodeOptions& options) {
 #if defined(GLINT_WITH_EXR)
-            return encode_exr(image, alpha);
-#else
-            break;
+    if (options.format == FileFormat::exr) return encode_exr(image, alpha);
 #endif
-    }
-    return not_built("OpenEXR");
+    return encode_strips(image, alpha, options);
 }
 
 }  // namespace
@@ -210,11 +219,8 @@ Result<std::vector<std::uint8_t>> encode(const Image& image, const EncodeOptions
 Result<std::vector<std::uint8_t>> encode(const Image& image, std::span<const float> alpha,
                                          const EncodeOptions& options) {
     return result_of([&]() -> Result<std::vector<std::uint8_t>> {
-        std::string wrong = fault(image, options);
+        std::string wrong = fault(image, options, true);
         if (wrong.empty()) wrong = alpha_fault(image, alpha);
-        if (wrong.empty() && options.format == FileFormat::ppm) wrong = "PPM has no alpha channel";
-        if (const char* name = name_of_bytes_only(options.format); name != nullptr && wrong.empty())
-            wrong = "glint writes " + std::string(name) + " without alpha";
         if (!wrong.empty()) return invalid_argument(std::move(wrong));
         return encode_checked(image, alpha, options);
     });
@@ -223,14 +229,14 @@ Result<std::vector<std::uint8_t>> encode(const Image& image, std::span<const flo
 Result<std::vector<std::uint8_t>> encode_layers(const Image& picture, std::span<const LayerImage> layers,
                                                 std::span<const float> alpha) {
     return result_of([&]() -> Result<std::vector<std::uint8_t>> {
-        std::string wrong = fault(picture, {});
+        std::string wrong = fault(picture, {.format = FileFormat::exr});
         if (wrong.empty()) wrong = layers_fault(picture, layers);
         if (wrong.empty() && !alpha.empty()) wrong = alpha_fault(picture, alpha);
         if (!wrong.empty()) return invalid_argument(std::move(wrong));
 #if defined(GLINT_WITH_EXR)
         return encode_exr_layers(picture, layers, alpha);
 #else
-        return not_built("OpenEXR");
+        return invalid_argument("this build writes no OpenEXR");
 #endif
     });
 }

@@ -5,17 +5,17 @@
 #include <stdexcept>
 #include <utility>
 
-#include "image/uncompressed.h"
+#include "image/quantizing_encoder.h"
 
 namespace glint {
 namespace {
 
 constexpr std::size_t k_header_bytes = 54;
 
-class BmpEncoder : public UncompressedEncoder {
+class BmpEncoder : public QuantizingEncoder {
   public:
     BmpEncoder(std::int32_t width, std::int32_t height, const EncodeOptions& options, ByteFile& file)
-        : UncompressedEncoder(width, options, file),
+        : QuantizingEncoder(width, options, file),
           samples_(std::size_t{3} * static_cast<std::size_t>(width)),
           row_bytes_((samples_ + 3) / 4 * 4),
           next_(k_header_bytes + row_bytes_ * static_cast<std::size_t>(height)) {
@@ -37,7 +37,7 @@ class BmpEncoder : public UncompressedEncoder {
 
     // Pixels are blue, green and red; a row has a multiple of four bytes.
     EncodedStrip encode(std::int32_t strip, std::span<const float> values) const override {
-        const EncodedStrip from_top = UncompressedEncoder::encode(strip, values);
+        const EncodedStrip from_top = QuantizingEncoder::encode(strip, values);
         const std::size_t rows = from_top.bytes.size() / samples_;
         EncodedStrip encoded;
         encoded.bytes.resize(rows * row_bytes_);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // JPEG by libjpeg(-turbo): 8 bits, baseline, colors at full resolution.
+#include <array>
 #include <csetjmp>
 #include <cstdio>  // jpeglib.h needs it
-#include <cstdlib>
+#include <new>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
-#include "image/uncompressed.h"
+#include "image/quantizing_encoder.h"
 // (the empty line keeps the headers from being sorted into one block)
 #include <jerror.h>
 #include <jpeglib.h>
@@ -24,17 +27,65 @@ struct WriteErrors {
 
 void on_write_message(j_common_ptr, int) {}
 
-class JpegEncoder : public UncompressedEncoder {
+// Takes the bytes from libjpeg, a chunk at a time. The encoder brings them to its file, because no exception
+// may pass through libjpeg.
+struct WrittenBytes {
+    jpeg_destination_mgr manager{};  // first: libjpeg knows only this part
+    std::array<JOCTET, 1 << 16> chunk;
+    std::vector<std::uint8_t> bytes;
+
+    void begin_chunk() {
+        manager.next_output_byte = chunk.data();
+        manager.free_in_buffer = chunk.size();
+    }
+    static WrittenBytes& of(j_compress_ptr info) { return *reinterpret_cast<WrittenBytes*>(info->dest); }
+    static void take(j_compress_ptr info, std::size_t count) {
+        WrittenBytes& written = of(info);
+        bool has_memory = true;
+        try {
+            written.bytes.insert(written.bytes.end(), written.chunk.data(), written.chunk.data() + count);
+        } catch (const std::bad_alloc&) {
+            has_memory = false;
+        }
+        if (!has_memory) ERREXIT1(info, JERR_OUT_OF_MEMORY, 0);
+        written.begin_chunk();
+    }
+    static void begin(j_compress_ptr info) { of(info).begin_chunk(); }
+    static boolean take_chunk(j_compress_ptr info) {
+        take(info, of(info).chunk.size());
+        return TRUE;
+    }
+    static void end(j_compress_ptr info) {
+        take(info, of(info).chunk.size() - of(info).manager.free_in_buffer);
+    }
+
+    WrittenBytes() {
+        manager.init_destination = begin;
+        manager.empty_output_buffer = take_chunk;
+        manager.term_destination = end;
+    }
+};
+
+struct Compressor {
+    jpeg_compress_struct info{};
+
+    Compressor() = default;
+    ~Compressor() { jpeg_destroy_compress(&info); }  // also if it was never created: all bytes are zero
+    Compressor(const Compressor&) = delete;
+    Compressor& operator=(const Compressor&) = delete;
+};
+
+class JpegEncoder : public QuantizingEncoder {
   public:
     JpegEncoder(std::int32_t width, std::int32_t height, const EncodeOptions& options, ByteFile& file)
-        : UncompressedEncoder(width, options, file),
+        : QuantizingEncoder(width, options, file),
           samples_(std::size_t{3} * static_cast<std::size_t>(width)) {
         info_.err = jpeg_std_error(&errors_.manager);
         errors_.manager.error_exit = on_write_error;
         errors_.manager.emit_message = on_write_message;
         guard_jumps([&] {
             jpeg_create_compress(&info_);
-            jpeg_mem_dest(&info_, &bytes_, &size_);
+            info_.dest = &written_.manager;
             info_.image_width = static_cast<JDIMENSION>(width);
             info_.image_height = static_cast<JDIMENSION>(height);
             info_.input_components = 3;
@@ -47,12 +98,6 @@ class JpegEncoder : public UncompressedEncoder {
             jpeg_start_compress(&info_, TRUE);
         });
     }
-    ~JpegEncoder() override {
-        jpeg_destroy_compress(&info_);  // also if it was never created: all bytes are zero
-        std::free(bytes_);
-    }
-    JpegEncoder(const JpegEncoder&) = delete;
-    JpegEncoder& operator=(const JpegEncoder&) = delete;
 
     void append(EncodedStrip strip) override {
         guard_jumps([&] {
@@ -61,10 +106,11 @@ class JpegEncoder : public UncompressedEncoder {
                 jpeg_write_scanlines(&info_, rows, 1);
             }
         });
+        write_bytes();
     }
     void finish() override {
         guard_jumps([&] { jpeg_finish_compress(&info_); });
-        file_.write({bytes_, size_});
+        write_bytes();
     }
 
   private:
@@ -79,11 +125,16 @@ class JpegEncoder : public UncompressedEncoder {
         body();
     }
 
+    void write_bytes() {
+        file_.write(written_.bytes);
+        written_.bytes.clear();
+    }
+
     const std::size_t samples_;  // of a row
-    jpeg_compress_struct info_{};
     WriteErrors errors_{};
-    unsigned char* bytes_ = nullptr;  // of the file so far, by malloc
-    unsigned long size_ = 0;
+    WrittenBytes written_;
+    Compressor compressor_;  // is destroyed first: it uses both
+    jpeg_compress_struct& info_ = compressor_.info;
 };
 
 }  // namespace

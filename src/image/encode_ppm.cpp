@@ -2,15 +2,15 @@
 // PPM, raw (P6): https://netpbm.sourceforge.net/doc/ppm.html
 #include <fmt/format.h>
 
-#include "image/uncompressed.h"
+#include "image/quantizing_encoder.h"
 
 namespace glint {
 namespace {
 
-class PpmEncoder : public UncompressedEncoder {
+class PpmEncoder : public QuantizingEncoder {
   public:
     PpmEncoder(std::int32_t width, std::int32_t height, const EncodeOptions& options, ByteFile& file)
-        : UncompressedEncoder(width, options, file) {
+        : QuantizingEncoder(width, options, file) {
         const std::string header =
             fmt::format("P6\n{} {}\n{}\n", width, height, options.bits == 8 ? 255 : 65535);
         file.write({reinterpret_cast<const std::uint8_t*>(header.data()), header.size()});

@@ -3,15 +3,15 @@
 #include <array>
 #include <utility>
 
-#include "image/uncompressed.h"
+#include "image/quantizing_encoder.h"
 
 namespace glint {
 namespace {
 
-class TgaEncoder : public UncompressedEncoder {
+class TgaEncoder : public QuantizingEncoder {
   public:
     TgaEncoder(std::int32_t width, std::int32_t height, const EncodeOptions& options, ByteFile& file)
-        : UncompressedEncoder(width, with_bytes(options), file) {
+        : QuantizingEncoder(width, with_bytes(options), file) {
         const auto low = [](std::int32_t n) { return static_cast<std::uint8_t>(n & 0xff); };
         const auto high = [](std::int32_t n) { return static_cast<std::uint8_t>(n >> 8 & 0xff); };
         std::array<std::uint8_t, 18> header{};
@@ -27,7 +27,7 @@ class TgaEncoder : public UncompressedEncoder {
 
     // Pixels are blue, green and red.
     EncodedStrip encode(std::int32_t strip, std::span<const float> values) const override {
-        EncodedStrip encoded = UncompressedEncoder::encode(strip, values);
+        EncodedStrip encoded = QuantizingEncoder::encode(strip, values);
         for (std::size_t i = 0; i + 2 < encoded.bytes.size(); i += 3)
             std::swap(encoded.bytes[i], encoded.bytes[i + 2]);
         return encoded;

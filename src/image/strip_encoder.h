@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "glint/image.h"
@@ -51,8 +52,11 @@ class StripEncoder {
     virtual void finish() = 0;
 };
 
-/// The encoder of a picture with 1 to k_max_size pixels a side, which may have alpha (not PPM and TGA). The
-/// file must outlive it. Null if this build does not write the format.
+/// The reason why a picture of this size cannot be encoded so, or an empty string. "JPEG has 8 bits a
+/// channel"
+std::string encoding_fault(std::int32_t width, std::int32_t height, const EncodeOptions& options, bool alpha);
+
+/// The encoder of a picture without encoding_fault(). The file must outlive it.
 std::unique_ptr<StripEncoder> make_strip_encoder(std::int32_t width, std::int32_t height,
                                                  const EncodeOptions& options, ByteFile& file,
                                                  bool alpha = false);

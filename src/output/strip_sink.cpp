@@ -37,7 +37,14 @@ std::optional<std::uint32_t> StripSink::next_tile() {
 void StripSink::receive(const FinishedTile& tile) {
     const std::int64_t strip = tile.number / across_;
     Row& row = rows_[strip];  // only this function uses rows_, and one call of it at a time
-    copy(tile, row, strip_area(picture_, static_cast<std::int32_t>(strip)));
+    try {
+        copy(tile, row, strip_area(picture_, static_cast<std::int32_t>(strip)));
+    } catch (...) {
+        fail(std::current_exception());
+        const std::scoped_lock lock(mutex_);
+        changed_.notify_all();  // the row will never be complete, and others may wait for it
+        return;
+    }
     if (++row.tiles < across_) return;
     const std::scoped_lock lock(mutex_);
     complete_.insert(rows_.extract(strip));

@@ -22,7 +22,8 @@ class StripSink : public TileSink {
 
     std::optional<std::uint32_t> next_tile() override;
     void receive(const FinishedTile& tile) override;
-    void finish() override { writer_.finish(false); }
+    /// Ends the file, after all tiles. Throws if it cannot be written.
+    void finish() { writer_.finish(false); }
 
   private:
     struct Row {

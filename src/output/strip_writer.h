@@ -12,7 +12,7 @@ namespace glint {
 
 class StripWriter {
   public:
-    /// Throws if this build does not write the format.
+    /// Throws if there is an encoding_fault().
     StripWriter(std::unique_ptr<FileInProgress> file, const EncodeOptions& encoding, std::int32_t width,
                 std::int32_t height, bool alpha = false);
 

@@ -19,7 +19,7 @@ struct TileWork {
 };
 
 /// Receives the tiles of one picture. render_into() calls the functions in the order in which they stand
-/// here, next_tile() and receive() many times; finish() is the caller's.
+/// here, next_tile() and receive() many times. What ends the file is a matter of each sink.
 class TileSink {
   public:
     explicit TileSink(const TileWork& work) : work_(work) {}
@@ -38,8 +38,6 @@ class TileSink {
     /// Writes what has been received to its file, if that is not done while other tiles are rendered. One
     /// call at a time. Does not throw.
     virtual void write_received() {}
-    /// Ends the file, after all tiles. Throws if it cannot be written.
-    virtual void finish() {}
 
     /// Becomes true when a tile could not be kept: rendering ends, and rethrow() says why.
     const std::atomic<bool>& failed() const { return failed_; }
@@ -63,7 +61,7 @@ class RecordSink : public TileSink {
     /// Whether receive_record() needs records with checksums.
     virtual bool needs_checksums() const = 0;
     /// Takes the record of a tile (journal/journal.h). One call at a time. Returns the rays that were traced
-    /// for the tile; nothing if the record is damaged. Does not throw.
+    /// for the tile; nothing if the record is damaged. Throws only bad_alloc.
     virtual std::optional<RayCounts> receive_record(std::string record) = 0;
 };
 

@@ -151,6 +151,13 @@ TEST_F(FilePolicy, AnIniWritesOnlyIntoItsFolderOrThisOne) {
     for (const std::string& path :
          {std::string("a.png"), std::string("work/inside/a.png"), folder_.path("work/b.png")})
         EXPECT_EQ(run_ini(path).code, 0) << path;
+    // A link that only a frame of an animation would follow.
+    other.write("victim", "kept");
+    std::filesystem::create_symlink(other.path("victim"), folder_.path("f1.png"));
+    const Finished linked = run_ini("f.png\nFinal_Frame=2");
+    EXPECT_EQ(linked.code, 1);
+    EXPECT_TRUE(contains(linked.err, "expected an output in this folder or the .ini file's")) << linked.err;
+    EXPECT_EQ(other.read("victim"), "kept");
     // The user may write anywhere.
     const Finished told = run_ini("/etc/glint_test.png", {"+O" + other.path("a.png")});
     EXPECT_EQ(told.code, 0) << told.err;

@@ -126,7 +126,27 @@ TEST(Render, TheExtensionChoosesTheFormat) {
     EXPECT_TRUE(folder.read("a.exr").starts_with("\x76\x2f\x31\x01"));
     const Finished r = run(folder, {"render", "a.cgfs", "-o", "a.gif"});
     EXPECT_EQ(r.code, 2);
-    EXPECT_TRUE(contains(r.err, ".png, .ppm and .exr")) << r.err;
+    EXPECT_TRUE(contains(r.err, "glint writes .png, .ppm, .exr, .tga, .bmp or .jpg")) << r.err;
+}
+
+// Also of pictures that would be written strip by strip.
+TEST(Render, WhatAFormatCannotDoIsSaidBeforeRendering) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    const std::pair<std::vector<std::string>, const char*> cases[] = {
+        {{"-s", "9x7", "-o", "a.jpg", "--bits", "16"}, "--output 'a.jpg': JPEG has 8 bits a channel"},
+        {{"-s", "9x7", "-o", "a.jpg", "--bits", "16", "--resume"}, "JPEG has 8 bits a channel"},
+        {{"-s", "9x7", "-o", "a.bmp", "--bits", "16", "--resume"}, "BMP has 8 bits a channel"},
+        {{"-s", "9x7", "-o", "a.tga", "--alpha"}, "glint writes TGA without alpha; write .png or .exr"},
+        {{"-s", "65501x2", "-o", "a.jpg", "--resume"}, "JPEG has at most 65500 pixels a side"}};
+    for (const auto& [options, message] : cases) {
+        std::vector<std::string> words{"render", "a.cgfs"};
+        words.insert(words.end(), options.begin(), options.end());
+        const Finished r = run(folder, words);
+        EXPECT_EQ(r.code, 2) << r.err;
+        EXPECT_TRUE(contains(r.err, message)) << r.err;
+        EXPECT_EQ(folder.count(), 1);
+    }
 }
 
 TEST(Render, BitsAndTransfer) {

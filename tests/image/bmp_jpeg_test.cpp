@@ -53,7 +53,7 @@ TEST(Jpeg, RefusesWhatItCannotHold) {
     EXPECT_EQ(encode(four_pixels(), {FileFormat::jpeg, 16}).message, "JPEG has 8 bits a channel");
     EXPECT_EQ(encode(four_pixels(), {FileFormat::bmp, 16}).message, "BMP has 8 bits a channel");
     const std::vector<float> alpha(4, 1.0f);
-    EXPECT_EQ(encode(four_pixels(), alpha, {FileFormat::jpeg}).message, "glint writes JPEG without alpha");
+    EXPECT_EQ(encode(four_pixels(), alpha, {FileFormat::jpeg}).message, "JPEG has no alpha channel");
     EXPECT_EQ(encode(four_pixels(), alpha, {FileFormat::bmp}).message, "glint writes BMP without alpha");
     EncodeOptions options{FileFormat::jpeg};
     for (const int quality : {0, 101}) {

@@ -6,6 +6,7 @@
 
 #include <stdexcept>
 
+#include "base/status.h"
 #include "image/memory_file.h"
 
 namespace glint::test {
@@ -75,6 +76,35 @@ TEST(Strips, OfLayersGiveTheBytesOfTheWhole) {
     }
     encoder->finish();
     EXPECT_EQ(bytes, *whole);
+}
+
+TEST(Strips, AreRefusedAsTheWhole) {
+    std::vector<std::uint8_t> bytes;
+    MemoryFile file(bytes);
+    for (const FileFormat format : {FileFormat::tga, FileFormat::bmp, FileFormat::jpeg})
+        EXPECT_THROW(make_strip_encoder(8, 8, {format, 16}, file), StatusError);
+    EXPECT_THROW(make_strip_encoder(8, 8, {FileFormat::ppm}, file, true), StatusError);
+    EXPECT_THROW(make_strip_encoder(65501, 8, {FileFormat::jpeg}, file), StatusError);
+    EXPECT_TRUE(bytes.empty());
+}
+
+// After more bytes than libjpeg's first buffer has: an error while a picture is written.
+TEST(Strips, MayEndBeforeTheFileDoes) {
+    Image image{256, 256, std::vector<float>(std::size_t{3} * 256 * 256)};
+    std::uint32_t state = 1;
+    for (float& v : image.rgb)
+        v = static_cast<float>((state = state * 1664525 + 1013904223) >> 8) / (1 << 24);
+    for (const FileFormat format : {FileFormat::png, FileFormat::bmp, FileFormat::jpeg, FileFormat::exr}) {
+        if (!encode(image, {format})) continue;  // a build without the format
+        std::vector<std::uint8_t> bytes;
+        MemoryFile file(bytes);
+        const auto encoder = make_strip_encoder(256, 256, {format}, file);
+        for (std::int32_t strip = 0; strip < 4; ++strip)
+            encoder->append(encoder->encode(strip, strip_of(image, strip)));
+        if (format == FileFormat::jpeg) {
+            EXPECT_GT(bytes.size(), 10000u) << "written while it is encoded";
+        }
+    }
 }
 
 // The library of OpenEXR ignores errors at the end of a file, where it writes its table of lines.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Formats whose bytes are a header and then the numbers of the pixels, row by row.
+// Formats of integers without alpha, which are made row by row: PPM, TGA, BMP and JPEG.
 #include "image/encoders.h"
 #include "image/quantize.h"
 
 namespace glint {
 
-class UncompressedEncoder : public StripEncoder {
+class QuantizingEncoder : public StripEncoder {
   public:
     EncodedStrip encode(std::int32_t, std::span<const float> values) const override {
         EncodedStrip strip;
@@ -24,7 +24,7 @@ class UncompressedEncoder : public StripEncoder {
 
   protected:
     /// The class that inherits writes the header.
-    UncompressedEncoder(std::int32_t width, const EncodeOptions& options, ByteFile& file)
+    QuantizingEncoder(std::int32_t width, const EncodeOptions& options, ByteFile& file)
         : options_(options), file_(file), samples_(std::size_t{3} * static_cast<std::size_t>(width)) {}
 
     const EncodeOptions options_;
