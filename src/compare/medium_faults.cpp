@@ -145,10 +145,12 @@ constexpr SceneFault k_media[] = {
      "color, unlike `transmit`."},
     {"transmit-tinted",
      [](const Scene& s) {
-         return is_shaded(s) && any_material(s, [](const Material& m) { return m.transmit > 0; });
+         return is_shaded(s) &&
+                any_material(s, [](const Material& m) { return m.transmit > 0 && !m.angled_opacity; });
      },
      [](Scene& s) {
          for_each_material(s, [](Material& m) {
+             if (m.angled_opacity) return;  // which excludes `filter`
              m.filter += m.transmit;
              m.transmit = 0;
          });
