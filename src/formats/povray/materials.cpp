@@ -214,9 +214,14 @@ void Reader::place_light(const Object& object, const Inherited& own) {
     light.fade_power = std::max(light.fade_power, 0.0);
     note(scene_.light_texts, scene_.lights.size(), place_of(call_place(object.at)));
     scene_.lights.push_back(light);
+    place_look(object, own);
+}
+
+// looks_like.
+void Reader::place_look(const Object& object, const Inherited& own) {
     if (!object.parts) return;
     Inherited look = own;
-    const Affine to_light = translation(source.light.position);
+    const Affine to_light = translation(object.light->light.position);
     const Affine map = own.map ? compose(*own.map, to_light) : to_light;
     look.map = &map;
     for (const ObjectPart& part : *object.parts) place(*part, look);

@@ -372,6 +372,7 @@ class Reader {
     std::uint32_t material_of(const Inherited& own, const Token& at);
     void report_texture(const Inherited& own, const Token& at);
     void place_light(const Object& object, const Inherited& own);
+    void place_look(const Object& object, const Inherited& own);
     void add_blended_face(const Object& object, const Inherited& own, const Mesh::Face& face,
                           std::span<const Vec3> points, std::span<const Vec3> normals);
     void report(const Missing& missing);
