@@ -132,8 +132,11 @@ struct ExplainedHit {
     Color emission;                  ///< k_e
     /// Added to the pixel: ambient, diffuse, specular and emission times weight and local_share.
     Color parts[4];
-    bool transparent = false;    ///< Material::filter or transmit: `transmitted` goes straight through
-    double opacity = 1;          ///< of a transparent surface, by the convention `opacity`
+    bool transparent = false;  ///< Material::filter or transmit: `transmitted` goes straight through
+    double opacity = 1;        ///< of a transparent surface, by the convention `opacity`
+    /// Of a transparent surface: the factor of what is behind it, transmit + filter * color. With
+    /// Material::angled_opacity, transmit is 1 - the opacity at this angle.
+    Color through{1, 1, 1};
     double highlight_share = 1;  ///< the factor of the surface's highlights, as local_share of the rest
     double fresnel = 0;          ///< for glass: the reflected fraction; 1: total internal reflection
     ExplainedSecondaryRay reflected, transmitted;

@@ -118,7 +118,10 @@ void check_transparency(CheckContext& context, std::uint32_t index, bool solid) 
             "give it an ior, 1.33 for water or 1.5 for glass; for transparency without refraction, "
             "write `transmit` or `filter` instead of `transmission`");
     }
-    if (!m.is_transparent() || m.hollow || scene.conventions.transparency == Transparency::add) return;
+    // Opacity by the angle hides what is behind the edges.
+    if (!m.is_transparent() || m.hollow || m.angled_opacity ||
+        scene.conventions.transparency == Transparency::add)
+        return;
     const double kept = m.transmit + m.filter * number::min(1.0, least(m.color));
     const bool shines = brightest(m.specular) > 0 || brightest(m.phong) > 0;
     if (kept < 1 - k_half_byte || brightest(m.emission) > 0 || m.mirror > 0 || m.mirror_min > 0 ||
@@ -156,6 +159,8 @@ void check_finish(CheckContext& context, std::uint32_t index) {
         report("an outline", "no diffuse light", "give it a diffuse coefficient");
     if (m.outline_width > 0 && m.outline == 0)
         report("`outline_width`", "outline is 0", "give it an outline, such as 0.8");
+    if (m.angled_opacity && m.transmit == 0)
+        report("`angled_opacity`", "transmit is 0", "give it a transmit, such as 0.5");
     if (m.mirror_min > 0 && !(m.mirror_falloff > 0))
         report("`mirror_min`", "mirror_falloff is 0", "give it a mirror_falloff, such as 1");
 }

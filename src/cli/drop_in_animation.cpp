@@ -26,12 +26,15 @@ std::vector<DropInFrame> frames_of(const Animation& a, const std::string& output
     const double span = static_cast<double>(final - first);
     // With one frame POV-Ray divides by 0; its clock is then not a number.
     const double delta = span > 0 ? (a.last_clock - a.first_clock) / span : 0;
-    const long from = a.subset_first ? frame_number(*a.subset_first, first, last - first + 1) : first;
-    const long to = a.subset_last ? frame_number(*a.subset_last, first, last - first + 1) : last;
+    // A cycle's final frame, which repeats the first one, counts in fractions; it is rendered if it is asked
+    // for.
+    const long count = final - first + 1;
+    const long from = a.subset_first ? frame_number(*a.subset_first, first, count) : first;
+    const long to = a.subset_last ? frame_number(*a.subset_last, first, count) : from == final ? final : last;
     const std::filesystem::path path(output);
     const std::size_t digits = std::to_string(final).size();
     std::vector<DropInFrame> frames;
-    for (long n = from; n <= std::min(to, last); n += std::max(1L, static_cast<long>(a.step))) {
+    for (long n = from; n <= to; n += std::max(1L, static_cast<long>(a.step))) {
         const std::string name =
             fmt::format("{}{:0{}}{}", path.stem().string(), n, digits, path.extension().string());
         frames.push_back({output == "/dev/null" ? output : (path.parent_path() / name).string(),

@@ -14,7 +14,7 @@ struct Animation {
     std::optional<double> first_frame, last_frame;
     double first_clock = 0, last_clock = 1;
     bool is_cyclic = false;  ///< the frame after the last one is the first
-    /// The frames to render, as numbers, or below 1 as fractions of all.
+    /// The frames to render, as numbers, or below 1 as fractions of all. The end may be beyond last_frame.
     std::optional<double> subset_first, subset_last;
     double step = 1;
 };

@@ -59,12 +59,6 @@ std::string material_text(const Scene& scene, const ExplainedHit& hit) {
     return text + extended_text(m);
 }
 
-// The factor of what is seen through a transparent surface.
-Color through_of(const Material& m) {
-    return {m.transmit + m.filter * m.color.r, m.transmit + m.filter * m.color.g,
-            m.transmit + m.filter * m.color.b};
-}
-
 double mean(Color c) { return (c.r + c.g + c.b) / 3; }
 
 class Tree {
@@ -161,8 +155,9 @@ class Tree {
                                               color(hit.weight)));
         if (hit.transparent)
             text_.line(depth + 1,
-                       fmt::format("transparent: opacity {}, what is behind times {}", number(hit.opacity),
-                                   color(through_of(material_of(hit, scene_)))));
+                       fmt::format("transparent: opacity {}, what is behind times {}{}", number(hit.opacity),
+                                   color(hit.through),
+                                   material_of(hit, scene_).angled_opacity ? ", at this angle" : ""));
         if (hit.local_share != 1 || r.parent >= 0) {
             const Color part = hit.own_light();
             std::string factors;

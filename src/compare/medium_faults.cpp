@@ -57,6 +57,12 @@ bool has_transparency(const Scene& s) {
 bool has_filter(const Scene& s) {
     return is_shaded(s) && any_material(s, [](const Material& m) { return m.filter > 0; });
 }
+bool has_angled_opacity(const Scene& s) {
+    return any_material(s, [](const Material& m) { return m.transmit > 0 && m.angled_opacity; });
+}
+void make_opaque(Scene& s) {
+    for_each_material(s, [](Material& m) { m.filter = m.transmit = 0; });
+}
 bool has_transparent_shadows(const Scene& s) { return has_shadows(s) && has_transparency(s); }
 template <TransparentShadow rule> bool has_other_shadow(const Scene& s) {
     return has_transparent_shadows(s) && s.conventions.transparent_shadow != rule;
@@ -110,10 +116,14 @@ constexpr SceneFault k_media[] = {
      .put = set_fog_kind<FogKind::linear>,
      .scale = scale_fog,
      .scale_text = [](double, bool) { return std::string(k_linear_text); }},
-    {"transparency-missing", has_transparency,
-     [](Scene& s) { for_each_material(s, [](Material& m) { m.filter = m.transmit = 0; }); },
+    {"transparency-missing", [](const Scene& s) { return has_transparency(s) && !has_angled_opacity(s); },
+     make_opaque,
      "Transparent surfaces are opaque: continue the ray straight on, and add what it sees times transmit + "
      "filter * color."},
+    {"transparency-missing", [](const Scene& s) { return has_transparency(s) && has_angled_opacity(s); },
+     make_opaque,
+     "Transparent surfaces are opaque: continue the ray straight on, and add what it sees times transmit + "
+     "filter * color; with `angled_opacity`, times 1 - the opacity at this angle."},
     {"transparent-shadow-opaque", has_other_shadow<TransparentShadow::opaque>,
      set_shadow<TransparentShadow::opaque>,
      "Transparent surfaces cast opaque shadows: they must let light through."},
@@ -135,10 +145,12 @@ constexpr SceneFault k_media[] = {
      "color, unlike `transmit`."},
     {"transmit-tinted",
      [](const Scene& s) {
-         return is_shaded(s) && any_material(s, [](const Material& m) { return m.transmit > 0; });
+         return is_shaded(s) &&
+                any_material(s, [](const Material& m) { return m.transmit > 0 && !m.angled_opacity; });
      },
      [](Scene& s) {
          for_each_material(s, [](Material& m) {
+             if (m.angled_opacity) return;  // which excludes `filter`
              m.filter += m.transmit;
              m.transmit = 0;
          });

@@ -126,6 +126,10 @@ inline constexpr ExplainedTerm<ExplainedHit> k_hit_terms[] = {
     {"emission", &ExplainedHit::emission, "k_e"},
     {"fresnel", &ExplainedHit::fresnel, "the share that glass reflects; 1: total internal reflection"},
     {"opacity", &ExplainedHit::opacity, "of a transparent surface (filter, transmit)", terms::is_transparent},
+    {"through", &ExplainedHit::through,
+     "of a transparent surface: the factor of what is behind it, transmit + filter * color; with "
+     "angled_opacity, the transmit at this angle",
+     terms::is_transparent},
     {"highlight_share", &ExplainedHit::highlight_share,
      "of a transparent surface: the share of its highlights, as local_share of the rest",
      terms::is_transparent},

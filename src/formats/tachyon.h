@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "formats/load_state.h"
+#include "math/number.h"
 
 namespace glint {
 
@@ -21,11 +21,28 @@ struct TachyonTexture {
     bool is_metal = false;         ///< the highlight has the surface's color
     bool fades_at_angles = false;  ///< TransMode R3D
     Color color{1, 1, 1};
-    friend bool operator==(const TachyonTexture&, const TachyonTexture&) = default;
-};
 
-struct TachyonTextureHash {
-    std::size_t operator()(const TachyonTexture& texture) const;
+    /// An order for maps.
+    bool operator<(const TachyonTexture& other) const {
+        return number::comes_before(numbers(), other.numbers());
+    }
+
+  private:
+    std::array<double, 13> numbers() const {
+        return {ambient,
+                diffuse,
+                specular,
+                opacity,
+                outline,
+                outline_width,
+                phong,
+                phong_size,
+                is_metal ? 1. : 0.,
+                fades_at_angles ? 1. : 0.,
+                color.r,
+                color.g,
+                color.b};
+    }
 };
 
 /// A camera, whose frame depends on the picture's size.
@@ -54,8 +71,9 @@ enum class TachyonLimit : std::uint8_t {
 /// Shared by the texts of one load().
 struct TachyonState {
     // A texture is an index into Scene::materials, which finish_tachyon() fills from `textures`.
-    CountedHashMap<std::string, std::uint32_t> names;
-    CountedHashMap<TachyonTexture, std::uint32_t, TachyonTextureHash> materials;
+    // The maps are ordered: no choice of names or numbers makes them slow.
+    CountedMap<std::string, std::uint32_t> names;
+    CountedMap<TachyonTexture, std::uint32_t> materials;
     CountedVector<std::pair<std::uint32_t, TachyonTexture>> textures;  ///< by material
 
     std::optional<TachyonCamera> camera;

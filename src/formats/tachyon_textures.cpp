@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 
 #include "base/text.h"
 #include "formats/tachyon_reader.h"
@@ -25,16 +24,6 @@ constexpr std::string_view k_functions[] = {"",
                                             "a volume image"};
 
 }  // namespace
-
-std::size_t TachyonTextureHash::operator()(const TachyonTexture& t) const {
-    std::uint64_t hash = (t.is_metal ? 1u : 0u) + (t.fades_at_angles ? 2u : 0u);
-    for (const double x : {t.ambient, t.diffuse, t.specular, t.opacity, t.outline, t.outline_width, t.phong,
-                           t.phong_size, t.color.r, t.color.g, t.color.b}) {
-        hash = (hash ^ std::bit_cast<std::uint64_t>(x == 0 ? 0.0 : x)) * 0x9e3779b97f4a7c15u;
-        hash ^= hash >> 32;
-    }
-    return static_cast<std::size_t>(hash);
-}
 
 // Texture BODY, or the name of one.
 bool TachyonReader::texture(std::uint32_t& material) {

@@ -3,8 +3,10 @@
 // The operations that formulas use, for plain numbers, with the same names as in simd/lanes-inl.h. Formulas
 // are templates over the number type and use only these and the operators, so that every type gives the same
 // bits.
+#include <array>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -48,6 +50,18 @@ inline double exp2_integer(double k) {
 /// x with the last 27 bits of its mantissa cleared: the product of two heads is exact.
 inline double head(double x) {
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & 0xfffffffff8000000u);
+}
+
+/// Whether the numbers from a come before those from b, of as many: an order of all bits, in which only 0 and
+/// -0 are the same. It is for sorted maps, which no choice of numbers makes slow; it is not that of the
+/// values.
+template <std::size_t n> bool comes_before(const std::array<double, n>& a, const std::array<double, n>& b) {
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto x = std::bit_cast<std::uint64_t>(a[i] == 0 ? 0.0 : a[i]);
+        const auto y = std::bit_cast<std::uint64_t>(b[i] == 0 ? 0.0 : b[i]);
+        if (x != y) return x < y;
+    }
+    return false;
 }
 
 /// The nearest whole number (ties to even), |x| < 2^51, by IEEE addition alone.

@@ -272,6 +272,11 @@ class Validator {
         if (m.filter + m.transmit > 1 + k_rounding)
             error(place, fmt::format("{}: filter + transmit: expected at most 1, found {} + {}", of, m.filter,
                                      m.transmit));
+        if (m.angled_opacity && m.filter > 0)
+            error(place,
+                  fmt::format("{}: expected `angled_opacity` or `filter`, found both: the angle changes "
+                              "`transmit` alone",
+                              of));
         if (m.is_transparent() && m.transmission > 0)
             error(place,
                   fmt::format("{}: expected `transmission` (with refraction) or `filter` and `transmit` "

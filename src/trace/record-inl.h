@@ -383,8 +383,9 @@ inline void record_sums(const WorldParts& world, const SurfaceBatch& surfaces, c
             hit.highlight_share = highlight_share[k];
             if (world.is_transparent(hit.material)) {
                 hit.transparent = true;
-                hit.opacity = LaneElements(
-                    transparency_of(world, material, surfaces, h).opacity(world.conventions.opacity))[k];
+                const TransparencyLanes transparency = transparency_of(world, material, surfaces, h);
+                hit.opacity = LaneElements(transparency.opacity(world.conventions.opacity))[k];
+                hit.through = Vector3Elements(transparency.through()).color(k);
             }
             for (int part = 0; part < 4; ++part) hit.parts[part] = parts[part].color(k);
             if (hit.occlusion) hit.occlusion->part = sky.color(k);

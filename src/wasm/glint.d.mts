@@ -376,6 +376,8 @@ export interface HitTerms {
     fresnel: number;
     /** of a transparent surface (filter, transmit) */
     opacity?: number;
+    /** of a transparent surface: the factor of what is behind it, transmit + filter * color; with angled_opacity, the transmit at this angle */
+    through?: Vec3;
     /** of a transparent surface: the share of its highlights, as local_share of the rest */
     highlight_share?: number;
     /** of a surface with an outline: the factor of its diffuse light and of the light from all directions */

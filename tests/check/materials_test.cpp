@@ -42,11 +42,13 @@ TEST(CheckMaterials, FinishesWithoutEffect) {
     const std::string ball = "sphere { center = (0, 1, 2)  radius = 0.4  ";
     for (const std::string_view unused :
          {"metallic = 1", "diffuse = 0  brilliance = 2", "diffuse = 0  outline = 1", "outline_width = 0.5",
-          "mirror_falloff = 2", "mirror_metallic = 1", "mirror = 0.1  mirror_min = 0.1"})
+          "angled_opacity = true", "mirror_falloff = 2", "mirror_metallic = 1",
+          "mirror = 0.1  mirror_min = 0.1"})
         EXPECT_EQ(ids_of(k_clean + ball + std::string(unused) + " }\n"), "finish-unused@7") << unused;
     for (const std::string_view used :
          {"metallic = 1  specular = 0.1", "metallic = 1  phong_color = (0.1, 0.1, 0.1)", "brilliance = 2",
-          "mirror = 0.1  mirror_falloff = 2", "mirror_min = 0.1  mirror_falloff = 2"})
+          "mirror = 0.1  mirror_falloff = 2", "mirror_min = 0.1  mirror_falloff = 2",
+          "transmit = 0.5  angled_opacity = true"})
         EXPECT_EQ(ids_of(k_clean + ball + std::string(used) + " }\n"), "") << used;
 }
 
@@ -100,7 +102,8 @@ TEST(CheckMaterials, Invisible) {
     EXPECT_EQ(ids_of(k_clean + ball + "filter = 1  color = (1, 1, 1) }\n"), "material-invisible@7");
     for (const std::string_view fine : {"transmit = 0.95", "transmit = 1  specular = 0.5",
                                         "transmit = 0.8  mirror = 0.1  filter = 0.2  color = (1, 1, 1)",
-                                        "filter = 1  color = (1, 0.5, 0.5)", "transmit = 1  hollow = true"})
+                                        "filter = 1  color = (1, 0.5, 0.5)", "transmit = 1  hollow = true",
+                                        "transmit = 1  angled_opacity = true"})
         EXPECT_EQ(ids_of(k_clean + ball + std::string(fine) + " }\n"), "") << fine;
 }
 

@@ -289,6 +289,13 @@ TEST_F(Povray, TakesAnimations) {
         words.insert(words.end(), {"+Ia.pov", "+Oq"});
         return frames_text(cli::povray_drop_in(words));
     };
+    const auto numbers = [](std::vector<std::string> words) {
+        words.insert(words.end(), {"+Ia.pov", "+Oq"});
+        std::string text;
+        for (const cli::DropInFrame& frame : cli::povray_drop_in(words).frames)
+            text += fmt::format("{:.0f} ", frame.declared.at(1).second);
+        return text;
+    };
     EXPECT_EQ(frames({}), "");
     EXPECT_EQ(frames({"+KI3", "+KF4", "+SF2"}), "") << "not an animation";
     EXPECT_EQ(frames({"+KFF0"}), "");
@@ -302,6 +309,16 @@ TEST_F(Povray, TakesAnimations) {
     EXPECT_EQ(frames({"+KFF9", "+KC", "+EF1"}), "q01.png 0 10; ");
     EXPECT_EQ(frames({"+KFI5", "+KFF14", "+SF0.3", "+EF0.55"}), "q05.png 0 14; ");
     EXPECT_EQ(frames({"+KFF9", "+SF0.9"}), "q8.png 0.875 9; q9.png 1 9; ");
+    EXPECT_EQ(numbers({"+KFF9", "+SF0.5"}), "4 5 6 7 8 9 ");
+    EXPECT_EQ(numbers({"+KFF9", "+KC", "+SF0.5"}), "5 6 7 8 9 ") << "half of 10";
+    EXPECT_EQ(numbers({"+KFF9", "+KC", "+EF0.5"}), "1 2 3 4 5 ");
+    EXPECT_EQ(numbers({"+KFF9", "+KC", "+SF0.5", "+EF0.8"}), "5 6 7 8 ");
+    EXPECT_EQ(numbers({"+KFF9", "+KC", "+SF9", "+EF10"}), "9 10 ");
+    EXPECT_EQ(numbers({"+KFF9", "+KC", "+SF9"}), "9 ");
+    EXPECT_EQ(numbers({"+KFF9", "+KC", "+SF10"}), "10 ");
+    EXPECT_EQ(numbers({"+KFF9", "+SF8", "+EF11"}), "8 9 10 11 ");
+    EXPECT_EQ(numbers({"+KFI3", "+KFF12", "+KC", "+SF0.5"}), "5 6 7 8 9 10 11 12 ");
+    EXPECT_EQ(frames({"+KFF9", "+KC", "+SF10"}), "q10.png 1 10; ");
     EXPECT_EQ(frames({"+KFI5"}), "q5.png 0 5; ");
     EXPECT_EQ(cli::povray_drop_in({"a.pov", "+KFI5"}).warnings.size(), 1u);
     EXPECT_EQ(cli::povray_drop_in({"a.pov", "+KFF3"}).warnings.size(), 0u);

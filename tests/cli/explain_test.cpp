@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // glint explain: its output formats and errors. tests/explain checks the contents.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -195,6 +196,24 @@ TEST(Explain, WhyALightAddsNothing) {
     const Finished none = run(folder, {"explain", acne, "-p", "140,110", "--why-not", "moon"});
     EXPECT_EQ(none.code, 2);
     EXPECT_TRUE(contains(none.err, "there is no light 'moon'; there are 2 lights")) << none.err;
+}
+
+TEST(Explain, OpacityAtAnAngle) {
+    const Folder folder;
+    folder.write("a.glint",
+                 "camera { position = (0, 0, 9) } light { type = ambient intensity = 1 }\n"
+                 "material m { color = (1, 0.2, 0.2) transmit = 0.5 angled_opacity = true }\n"
+                 "sphere { center = (0, 0, 0) radius = 2 material = m }\n");
+    const Finished r = run(folder, {"explain", "a.glint", "-s", "64x48", "-p", "32,24", "--as", "json"});
+    ASSERT_EQ(r.code, 0) << r.err;
+    const auto hit = nlohmann::json::parse(r.out)["rays"][0]["hit"];
+    const double opacity = hit["opacity"];
+    EXPECT_LT(opacity, 0.3);
+    for (const double through : hit["through"]) EXPECT_DOUBLE_EQ(through, 1 - opacity);
+    const Finished text = run(folder, {"explain", "a.glint", "-s", "64x48", "-p", "32,24"});
+    const std::string line = fmt::format(
+        "transparent: opacity {:.6g}, what is behind times {:.6g}, at this angle\n", opacity, 1 - opacity);
+    EXPECT_TRUE(contains(text.out, line)) << line << text.out;
 }
 
 TEST(Explain, DrawsItsRaysOverThePicture) {

@@ -170,7 +170,18 @@ const Planted k_of_glass[] = {
          s.conventions.fog_extent = FogExtent::outside_objects;
      }},
     {"transparency-missing",
-     [](Scene& s) { change_materials(s, [](Material& m) { m.filter = m.transmit = 0; }); }},
+     [](Scene& s) { change_materials(s, [](Material& m) { m.filter = m.transmit = 0; }); },
+     "times transmit + filter * color."},
+    {"transparency-missing",
+     [](Scene& s) { change_materials(s, [](Material& m) { m.filter = m.transmit = 0; }); },
+     "with `angled_opacity`, times 1 - the opacity at this angle",
+     [](Scene& s) {
+         change_materials(s, [](Material& m) {
+             m.transmit += m.filter;
+             m.filter = 0;
+             m.angled_opacity = true;
+         });
+     }},
     {"transparent-shadow-opaque",
      [](Scene& s) { s.conventions.transparent_shadow = TransparentShadow::opaque; }},
     {"transparent-shadow-missing",

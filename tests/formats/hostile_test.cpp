@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hostile texts: load() returns soon, and its memory is bounded by a multiple of their length.
+#include <fmt/format.h>
+
+#include <bit>
 #include <chrono>
 #include <filesystem>
 #include <random>
@@ -158,6 +161,46 @@ TEST(Hostile, OneLongLineIsReadInLinearTime) {
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
         EXPECT_EQ(what_is_wrong(result, text), "") << name << ": " << piece;
         EXPECT_LT(seconds.count(), 30) << name << ": " << piece;
+    }
+}
+
+// Pairs of numbers from 0 to 1 that a hash which multiplies and shifts, without a secret, takes to one
+// number.
+std::vector<std::pair<double, double>> colliding_pairs(std::size_t count) {
+    std::mt19937_64 random(7);
+    std::vector<std::pair<double, double>> pairs;
+    while (pairs.size() < count) {
+        const double first = static_cast<double>(random() >> 11) * 0x1p-53;
+        std::uint64_t hash = std::bit_cast<std::uint64_t>(first) * 0x9e3779b97f4a7c15u;
+        hash ^= hash >> 32;
+        const auto second = std::bit_cast<double>(hash);
+        if (second >= 1e-300 && second <= 1) pairs.emplace_back(first, second);
+    }
+    return pairs;
+}
+
+TEST(Hostile, NumbersOfMaterialsThatCollideAreReadSoon) {
+#if defined(GLINT_SANITIZED)
+    constexpr std::size_t count = 20000;
+#else
+    constexpr std::size_t count = 80000;
+#endif
+    std::string povray, tachyon = "Begin_Scene Resolution 9 9 ";
+    for (const auto& [a, b] : colliding_pairs(count)) {
+        povray += fmt::format("sphere{{0,1 pigment{{rgb<{},{},0>}}}}\n", a, b);
+        tachyon += fmt::format(
+            "Sphere Center 0 0 0 Rad 1 Texture Ambient {} Diffuse {} Specular 0 Opacity 1 Color 1 1 1 "
+            "TexFunc 0\n",
+            a, b);
+    }
+    tachyon += "End_Scene";
+    for (const auto& [name, text] : {std::pair{"a.pov", povray}, std::pair{"a.dat", tachyon}}) {
+        const auto start = std::chrono::steady_clock::now();
+        const Result<Scene> result = load_text(text, name);
+        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+        ASSERT_TRUE(result) << name << messages(result).substr(0, 500);
+        EXPECT_GE(result->materials.size(), count) << name;
+        EXPECT_LT(seconds.count(), 10) << name;
     }
 }
 

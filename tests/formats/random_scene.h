@@ -195,7 +195,7 @@ class RandomScene {
         if (pick(4) == 0) m.interior = static_cast<std::int32_t>(pick(1000)) + 1;
         if (pick(3) == 0) {
             m.transmission = 0;
-            m.filter = 0.5 * fraction();
+            if (!m.angled_opacity) m.filter = 0.5 * fraction();
             m.transmit = 0.5 * fraction();
         }
     }

@@ -46,6 +46,22 @@ TEST(SkipUnsupported, LeavesOutPovRaysShapes) {
         << said;
 }
 
+TEST(SkipUnsupported, KeepsTheLookOfALight) {
+    const std::string light =
+        "light_source { <0, 3, 0>, 1 cylinder point_at z radius 1 falloff 2 looks_like { sphere { 0, 1 } } "
+        "}\n";
+    const Result<Scene> result = load_rest(light, "povray");
+    ASSERT_TRUE(result) << messages(result);
+    EXPECT_EQ(left_out(result), 1u) << "the light";
+    ASSERT_EQ(result->shapes.size(), 1u);
+    const Result<Scene> group = load_rest("union { " + light + " sphere { 0, 1 } translate x }\n", "povray");
+    ASSERT_TRUE(group) << messages(group);
+    EXPECT_EQ(left_out(group), 1u);
+    EXPECT_EQ(group->shapes.size(), 2u);
+    ASSERT_EQ(result->get<Sphere>().size(), 1u);
+    EXPECT_EQ(result->get<Sphere>()[0].center, (Vec3{0, 3, 0}));
+}
+
 // Without these the objects are drawn.
 TEST(SkipUnsupported, DrawsObjectsWithoutTheirCuts) {
     const std::string text =

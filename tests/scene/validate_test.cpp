@@ -242,6 +242,9 @@ INSTANTIATE_TEST_SUITE_P(
                [](Scene& s) { s.materials[0].outline_width = -0.5; }},
         Broken{"material 1: filter + transmit: expected at most 1, found 0.5 + 0.75",
                [](Scene& s) { s.materials[0].filter = 0.5, s.materials[0].transmit = 0.75; }},
+        Broken{"material 1: expected `angled_opacity` or `filter`, found both: the angle changes `transmit` "
+               "alone",
+               [](Scene& s) { s.materials[0].filter = 0.5, s.materials[0].angled_opacity = true; }},
         Broken{"material 1: expected `transmission` (with refraction) or `filter` and `transmit` (without), "
                "found both",
                [](Scene& s) { s.materials[0].transmission = 0.5, s.materials[0].transmit = 0.5; }},

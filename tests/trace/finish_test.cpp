@@ -247,6 +247,11 @@ TEST(Finishes, OpacityDependsOnTheAngle) {
                 const double c = std::abs(dot(ray.hit->normal, d)) / std::sqrt(dot(d, d));
                 const double s = 1 + std::cos(3.14159265358979 * 0.6 * c);
                 EXPECT_NEAR(ray.hit->opacity, s * s / 4, 1e-9);
+                const int straight = ray.hit->transmitted.ray;
+                if (straight >= 0) {
+                    const Color weight = e.rays[static_cast<std::size_t>(straight)].weight;
+                    EXPECT_EQ(ray.weight * ray.hit->through, weight);
+                }
                 least = std::min(least, ray.hit->opacity);
                 most = std::max(most, ray.hit->opacity);
             }

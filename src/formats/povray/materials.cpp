@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 
 #include "base/text.h"
 #include "formats/povray/add_shape.h"
@@ -39,15 +38,6 @@ bool has_nothing_else(const Texture& texture, const Opaque* interior, bool is_me
 double largest(Color c) { return std::max({c.r, c.g, c.b}); }
 
 }  // namespace
-
-std::size_t Reader::MaterialHash::operator()(const MaterialKey& key) const {
-    std::uint64_t hash = 0;
-    for (const double x : key.values) {
-        hash = (hash ^ std::bit_cast<std::uint64_t>(x == 0 ? 0.0 : x)) * 0x9e3779b97f4a7c15u;
-        hash ^= hash >> 32;
-    }
-    return static_cast<std::size_t>(hash);
-}
 
 std::uint32_t Reader::material_of(const Inherited& own, const Token& at) {
     const Texture& texture = *own.texture;
@@ -94,8 +84,8 @@ std::uint32_t Reader::material_of(const Inherited& own, const Token& at) {
     is_last_plain_ = has_nothing_else(texture, own.interior, own.is_merge);
     if (is_last) return last_material_;
     last_key_ = key;
-    const auto known = materials_.find(key);
-    if (known != materials_.end()) return last_material_ = known->second;
+    const auto known = materials_.lower_bound(key);
+    if (known != materials_.end() && known->first == key) return last_material_ = known->second;
     Material m;
     const Color pigment{p[0], p[1], p[2]};
     m.color = pigment;
@@ -136,7 +126,7 @@ std::uint32_t Reader::material_of(const Inherited& own, const Token& at) {
     last_material_ = static_cast<std::uint32_t>(scene_.materials.size());
     note(scene_.material_texts, last_material_, place_of(call_place(at)));
     scene_.materials.push_back(m);
-    materials_.emplace(key, last_material_);
+    materials_.emplace_hint(known, key, last_material_);
     return last_material_;
 }
 
@@ -224,9 +214,14 @@ void Reader::place_light(const Object& object, const Inherited& own) {
     light.fade_power = std::max(light.fade_power, 0.0);
     note(scene_.light_texts, scene_.lights.size(), place_of(call_place(object.at)));
     scene_.lights.push_back(light);
+    place_look(object, own);
+}
+
+// looks_like.
+void Reader::place_look(const Object& object, const Inherited& own) {
     if (!object.parts) return;
     Inherited look = own;
-    const Affine to_light = translation(source.light.position);
+    const Affine to_light = translation(object.light->light.position);
     const Affine map = own.map ? compose(*own.map, to_light) : to_light;
     look.map = &map;
     for (const ObjectPart& part : *object.parts) place(*part, look);

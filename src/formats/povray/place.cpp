@@ -146,7 +146,10 @@ void Reader::place(const Object& object, const Inherited& from) {
     if (object.interior) own.interior = object.interior.get();
     if (!own.interior && object.texture) own.interior = object.texture->finish.interior.get();
     if (object.kind != ObjectKind::light) inherit_interior(object, own);
-    if (leave_out(object)) return;
+    if (leave_out(object)) {
+        if (object.kind == ObjectKind::light) place_look(object, own);
+        return;
+    }
     report(object.missing);
     if (object.no_reflection && !no_reflection_) no_reflection_ = call_place(*object.no_reflection);
     if (object.clip) {

@@ -17,6 +17,7 @@
 #include "formats/load_state.h"
 #include "formats/povray/lexer.h"
 #include "formats/povray/value.h"
+#include "math/number.h"
 
 namespace glint::povray {
 
@@ -371,6 +372,7 @@ class Reader {
     std::uint32_t material_of(const Inherited& own, const Token& at);
     void report_texture(const Inherited& own, const Token& at);
     void place_light(const Object& object, const Inherited& own);
+    void place_look(const Object& object, const Inherited& own);
     void add_blended_face(const Object& object, const Inherited& own, const Mesh::Face& face,
                           std::span<const Vec3> points, std::span<const Vec3> normals);
     void report(const Missing& missing);
@@ -425,11 +427,9 @@ class Reader {
     struct MaterialKey {
         std::array<double, 33> values{};
         bool operator==(const MaterialKey& other) const { return values == other.values; }
+        bool operator<(const MaterialKey& other) const { return number::comes_before(values, other.values); }
     };
-    struct MaterialHash {
-        std::size_t operator()(const MaterialKey& key) const;
-    };
-    CountedHashMap<MaterialKey, std::uint32_t, MaterialHash> materials_;
+    CountedMap<MaterialKey, std::uint32_t> materials_;  // ordered: no choice of numbers makes it slow
     MaterialKey last_key_;
     std::uint32_t last_material_ = k_none;
     bool is_last_plain_ = false;  // its shape had no warnings but those of the material
