@@ -121,8 +121,9 @@ void answer_povray(const std::string& flag, Answer& answer) {
         case PovrayKey::subset_first_frame:
         case PovrayKey::subset_last_frame:
         case PovrayKey::frame_step:
-        case PovrayKey::fields:
             return answer.add_line(flag, "glint has no animation clock; glint-povray takes it");
+        case PovrayKey::fields:
+            return answer.add_line(flag, "glint renders whole frames; leave it out");
         default:
             return answer.add_line(flag, "glint does not need it; leave it out");
     }

@@ -17,6 +17,7 @@ namespace {
 constexpr std::string_view k_any_object = "an object, a light, a texture, `Camera` or `End_Scene`";
 constexpr Range k_picture_size{1, k_max_size, false, false, "a whole number from 1 to 65536"};
 constexpr Range k_image_size{0, 65536, false, false, "a whole number from 0 to 65536"};
+constexpr Range k_clipping_planes{0, 1e9, false, false, "a whole number from 0 to 1000000000"};
 // Of words between two calls of the load's watcher.
 constexpr int k_objects_between_reports = 1024;
 
@@ -58,10 +59,10 @@ std::span<const TachyonReader::Object> TachyonReader::objects() {
         {"FOG", "Fog", &R::read_fog},
         {"INCLUDE", "Include", &R::read_include},
         {"IMAGEDEF", "ImageDef", &R::read_image},
-        {"SCAPE", "Scape", &R::refuse_landscape},
-        {"SCALARVOL", "ScalarVol", &R::refuse_volume},
-        {"TPOLYFILE", "TPolyFile", &R::refuse_polygons},
-        {"START_CLIPGROUP", "Start_ClipGroup", &R::refuse_clipping},
+        {"SCAPE", "Scape", &R::read_landscape},
+        {"SCALARVOL", "ScalarVol", &R::read_volume},
+        {"TPOLYFILE", "TPolyFile", &R::read_polygon_file},
+        {"START_CLIPGROUP", "Start_ClipGroup", &R::begin_clipping},
         {"END_CLIPGROUP", "End_ClipGroup", &R::end_clipping},
     };
     return k_objects;
@@ -106,6 +107,7 @@ void TachyonReader::read_header() {
 
 void TachyonReader::read_object() {
     object_ = scanner_.token();
+    is_left_out_ = false;
     for (const Object& object : objects()) {
         if (!scanner_.accept(object.upper)) continue;
         if (!(this->*object.read)()) skip_object();
@@ -166,12 +168,43 @@ bool TachyonReader::read_image() {
     return true;
 }
 
-bool TachyonReader::refuse_landscape() { return refuse("a random landscape (`Scape`)"); }
-bool TachyonReader::refuse_volume() { return refuse("volumes (`ScalarVol`)"); }
-bool TachyonReader::refuse_polygons() { return refuse("a file of polygons (`TPolyFile`)"); }
-// What follows, up to End_ClipGroup, is then drawn whole.
-bool TachyonReader::refuse_clipping() {
-    return draw_without(object_, "clipping planes (`Start_ClipGroup`)") && false;
+// The fields of objects that are not drawn are read, because a name among them can be any word.
+bool TachyonReader::read_landscape() {
+    leave_out("a random landscape (`Scape`)");
+    double x = 0, y = 0;
+    Vec3 center;
+    return expect("RES", "Res") && number(x) && number(y) && expect("SCALE", "Scale") && number(x) &&
+           number(y) && point("CENTER", "Center", center) && skip_texture();
+}
+bool TachyonReader::read_volume() {
+    leave_out("volumes (`ScalarVol`)");
+    Vec3 ignored;
+    return point("MIN", "Min", ignored) && point("MAX", "Max", ignored) && point("DIM", "Dim", ignored) &&
+           expect("FILE", "File") && skip_name("the name of a file") && skip_texture();
+}
+bool TachyonReader::read_polygon_file() {
+    leave_out("a file of polygons (`TPolyFile`)");
+    Vec3 ignored;
+    return point("SCALE", "Scale", ignored) && point("ROT", "Rot", ignored) &&
+           point("CENTER", "Center", ignored) && expect("FILE", "File") && skip_name("the name of a file") &&
+           skip_texture();
+}
+bool TachyonReader::skip_name(std::string_view what) {
+    if (scanner_.at_end()) return expected(what);
+    scanner_.take();
+    return true;
+}
+// What follows, up to End_ClipGroup, is drawn whole.
+bool TachyonReader::begin_clipping() {
+    draw_without(object_, "clipping planes (`Start_ClipGroup`)", "them");
+    double planes = 0;
+    if (!expect("NUMPLANES", "NumPlanes") || !whole_number(planes, k_clipping_planes)) return false;
+    for (double left = planes; left > 0; --left) {
+        Vec3 normal;
+        double distance = 0;
+        if (!point(normal) || !number(distance)) return false;
+    }
+    return true;
 }
 bool TachyonReader::end_clipping() { return true; }
 
@@ -248,29 +281,27 @@ void TachyonReader::note_limit(TachyonLimit which, const Token& at) {
 }
 
 // An object that is left out or an error.
-bool TachyonReader::refuse(std::string_view what) {
-    if (!reading_.options.skip_unsupported) {
-        return error(object_,
-                     fmt::format("glint does not render {}; the option skip-unsupported leaves it out "
-                                 "and draws the rest",
-                                 what));
+void TachyonReader::leave_out(std::string_view what) {
+    is_left_out_ = true;
+    if (reading_.options.skip_unsupported) {
+        return reading_.left_out.add(fmt::format("{} of Tachyon", what), text_.place, object_.offset,
+                                     object_.length);
     }
-    reading_.left_out.add(fmt::format("{} of Tachyon", what), text_.place, object_.offset, object_.length);
-    return false;
+    error(object_, fmt::format("glint does not render {}; the option skip-unsupported leaves it out "
+                               "and draws the rest",
+                               what));
 }
 
-// What objects have: they are drawn without it, or it is an error.
-bool TachyonReader::draw_without(const Token& at, std::string_view what) {
-    if (!reading_.options.skip_unsupported) {
-        return error(
-            at,
-            fmt::format("glint does not render {}; the option skip-unsupported draws the objects without it",
-                        what));
+// What objects have: they are drawn without it, or it is an error. pronoun: "it" or "them".
+void TachyonReader::draw_without(const Token& at, std::string_view what, std::string_view pronoun) {
+    if (reading_.options.skip_unsupported) {
+        return reading_.diagnostics.warn_once(
+            fmt::format("tachyon without {}", what), text_.place, at.offset, at.length,
+            fmt::format("glint does not render {}: the objects are drawn without {}", what, pronoun));
     }
-    reading_.diagnostics.warn_once(
-        fmt::format("tachyon without {}", what), text_.place, at.offset, at.length,
-        fmt::format("glint does not render {}: the objects are drawn without it", what));
-    return true;
+    error(at,
+          fmt::format("glint does not render {}; the option skip-unsupported draws the objects without {}",
+                      what, pronoun));
 }
 
 void set_tachyon_defaults(Scene& scene) {

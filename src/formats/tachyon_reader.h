@@ -19,7 +19,8 @@ class TachyonReader {
     void read();
 
   private:
-    // Each reader of an object returns false after an error that ends the object.
+    // Each reader of an object returns false after an error within it: what follows, up to the next word that
+    // begins an object, is then skipped. An object that glint does not render is no such error.
     using ReadObject = bool (TachyonReader::*)();
     struct Object {
         std::string_view upper, name;
@@ -32,10 +33,11 @@ class TachyonReader {
     void skip_object();
     bool read_include();
     bool read_image();
-    bool refuse_landscape();
-    bool refuse_volume();
-    bool refuse_polygons();
-    bool refuse_clipping();
+    bool read_landscape();
+    bool read_volume();
+    bool read_polygon_file();
+    bool skip_name(std::string_view what);
+    bool begin_clipping();
     bool end_clipping();
 
     // tachyon_shapes.cpp
@@ -57,6 +59,7 @@ class TachyonReader {
 
     // tachyon_textures.cpp
     bool texture(std::uint32_t& material);
+    bool skip_texture();
     bool texture_body(TachyonTexture& texture, bool has_vertex_colors);
     bool texture_function(const Token& word, double function);
     std::uint32_t material_of(const TachyonTexture& texture, const Token& place);
@@ -105,8 +108,8 @@ class TachyonReader {
     bool error(const Token& at, std::string message);
     void warn(const Token& at, std::string message);
     void note_limit(TachyonLimit which, const Token& at);
-    bool refuse(std::string_view what);
-    bool draw_without(const Token& at, std::string_view what);
+    void leave_out(std::string_view what);
+    void draw_without(const Token& at, std::string_view what, std::string_view pronoun = "it");
 
     LoadState& reading_;
     Scene& scene_;
@@ -115,6 +118,7 @@ class TachyonReader {
     TachyonScanner scanner_;
     const bool is_further_;              // included, or after another text: needs no header
     Token object_;                       // the first word of the object
+    bool is_left_out_ = false;           // the object
     TachyonScanner::Passage last_body_;  // of the last texture, and its material
     std::uint32_t last_material_ = k_none;
     std::set<std::string, std::less<>, Counted<std::string>> refused_;  // textures that were reported

@@ -63,6 +63,13 @@ bool TachyonReader::texture(std::uint32_t& material) {
     return true;
 }
 
+// Of an object that is left out: makes no material.
+bool TachyonReader::skip_texture() {
+    TachyonTexture read;
+    return scanner_.accept("TEXTURE") ? texture_body(read, false)
+                                      : skip_name("`Texture` or the name of a texture");
+}
+
 std::uint32_t TachyonReader::material_of(const TachyonTexture& texture, const Token& place) {
     const auto [at, is_new] =
         state_.materials.emplace(texture, static_cast<std::uint32_t>(scene_.materials.size()));
@@ -121,7 +128,7 @@ bool TachyonReader::texture_function(const Token& at, double function) {
         return false;
     if (function >= 10 && !point("WAXIS", "Waxis", ignored)) return false;
     const std::string once = fmt::format("tachyon function {}{}", function, image);
-    if (refused_.insert(once).second) {
+    if (!is_left_out_ && refused_.insert(once).second) {
         draw_without(at, fmt::format("{}{} as a texture (`TexFunc {}`)",
                                      k_functions[static_cast<std::size_t>(function)], image, function));
     }

@@ -255,7 +255,7 @@ TEST_F(CommandLines, InTachyonsPlaceRefusesAsTachyon) {
         EXPECT_EQ(r.out, r.err + "Aborting render.\n");
         EXPECT_FALSE(r.err.empty());
     }
-    folder.write("b.dat", "Begin_Scene Resolution 4 4 Scape Res 3 3 End_Scene\n");
+    folder.write("b.dat", "Begin_Scene Resolution 4 4 Scape Res 3 3 Scale 1 1 Center 0 0 0 t End_Scene\n");
     const Finished done = run({"b.dat", "--skip-unsupported", "-format", "BMP", "-o", "b.bmp"});
     EXPECT_EQ(done.code, 0) << done.err;
     EXPECT_TRUE(contains(done.out, "b.bmp  is without 1 object that glint does not render")) << done.out;

@@ -120,6 +120,11 @@ TEST(Texts, ForeignFlags) {
               "command: glint render a.json --aa 4 --threads 2");
     EXPECT_EQ(answer({"check", "a.json", "--samples", "5"}),
               "--samples 5: use --aa 3\ncommand: glint check a.json --aa 3");
+    EXPECT_EQ(answer({"+KC"}),
+              "+KC: glint has no animation clock; glint-povray takes it\ncommand: glint render SCENE");
+    for (const std::string flag : {"+UF", "+UO", "-UF"})
+        EXPECT_EQ(answer({flag}),
+                  flag + ": glint renders whole frames; leave it out\ncommand: glint render SCENE");
     for (const char* flag :
          {"--width",    "--height",     "-i",           "--input",    "--samples", "--spp",  "--jobs",
           "-j",         "--depth",      "+A",           "-A",         "+D",        "-D",     "+R3",

@@ -109,8 +109,31 @@ TEST(SkipUnsupported, LeavesOutTachyonsObjects) {
           "warning: glint does not render the checker as a texture (`TexFunc 1`): the objects are drawn "
           "without",
           "warning: glint does not render clipping planes (`Start_ClipGroup`): the objects are drawn "
-          "without"})
+          "without them"})
         EXPECT_NE(said.find(part), std::string::npos) << part << "\n" << said;
+}
+
+// The names of files and textures can be words that begin an object.
+TEST(SkipUnsupported, LeavesOutTachyonsObjectsWithAnyNames) {
+    const std::string begin = "Begin_Scene Resolution 4 4\n",
+                      end = "\nSphere Center 0 0 0 Rad 1 a End_Scene\n";
+    const std::string body = " Texture Ambient 0 Diffuse 1 Specular 0 Opacity 1 Color 1 0 0 TexFunc 0";
+    for (const std::string& object : {"TPolyFile Scale 1 1 1 Rot 0 0 0 Center 0 0 0 File plane" + body,
+                                      "ScalarVol Min 0 0 0 Max 1 1 1 Dim 2 2 2 File box" + body,
+                                      std::string("ScalarVol Min 0 0 0 Max 1 1 1 Dim 2 2 2 File light ring"),
+                                      std::string("Scape Res 3 3 Scale 1 1 Center 0 0 0 camera")}) {
+        const Result<Scene> result = load_rest(begin + object + end, "tachyon");
+        ASSERT_TRUE(result) << object << messages(result);
+        EXPECT_EQ(result->shapes.size(), 1u) << object;
+        EXPECT_EQ(result->materials.size(), 1u) << object;
+        EXPECT_EQ(left_out(result), 1u) << object;
+    }
+    const std::string checker =
+        "Scape Res 3 3 Scale 1 1 Center 0 0 0 Texture Ambient 0 Diffuse 1 Specular 0 Opacity 1 Color 1 0 0 "
+        "TexFunc 1 Center 0 0 0 Rotate 0 0 0 Scale 1 1 1";
+    EXPECT_EQ(messages(load_rest(begin + checker + end, "tachyon")).find("checker"), std::string::npos);
+    EXPECT_FALSE(load_rest(begin + "Scape Res 3 Scale 1 1 Center 0 0 0 a" + end, "tachyon"));
+    EXPECT_FALSE(load_rest(begin + "Start_ClipGroup NumPlanes 2 1 0 0 0" + end, "tachyon"));
 }
 
 TEST(SkipUnsupported, CountsBeyondTheLastWarning) {

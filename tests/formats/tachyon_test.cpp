@@ -493,7 +493,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadText{"clipping",
                 DAT_SCENE "$Start_ClipGroup NumPlanes 1 1 0 0 0\n" DAT_SPHERE "End_ClipGroup",
                 {"glint does not render clipping planes (`Start_ClipGroup`); the option skip-unsupported "
-                 "draws the objects without it"}},
+                 "draws the objects without them"}},
         BadText{"fisheye",
                 DAT_BEGIN
                 "Camera Projection $Fisheye Zoom 1 Aspectratio 1 Antialiasing 0 Raydepth 5 Center 0 0 "
