@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include "compare/render_scene.h"
 #include "compare/shape_shares.h"
@@ -25,12 +26,12 @@ void name_default_material(Scene& scene) {
 }
 
 void remove_shapes(Scene& scene, std::vector<std::uint32_t> indices) {
-    std::sort(indices.begin(), indices.end());
+    std::sort(indices.begin(), indices.end(), std::greater<>());
     indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
     scene.shape_texts = {};  // by index
-    for (auto at = indices.rbegin(); at != indices.rend(); ++at) {
-        scene.shapes.erase(scene.shapes.begin() + *at);
-        if (*at < scene.shape_colors.size()) scene.shape_colors.erase(scene.shape_colors.begin() + *at);
+    for (const std::uint32_t index : indices) {
+        scene.shapes.erase(scene.shapes.begin() + index);
+        if (index < scene.shape_colors.size()) scene.shape_colors.erase(scene.shape_colors.begin() + index);
     }
 }
 
