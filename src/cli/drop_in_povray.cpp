@@ -252,7 +252,8 @@ class PovrayArguments {
             case PovrayKey::last_row:
                 return void(rows_.last = number(value, word, k_max_size));
             case PovrayKey::compression:
-                if (number(value, word, 100) >= 1) jpeg_quality_ = static_cast<int>(number(value, word, 100));
+                if (const double quality = number(value, word, 100); quality >= 1)
+                    jpeg_quality_ = static_cast<int>(quality);
                 return;
             case PovrayKey::warning_level:
                 return void(render.hides_warnings = number(value, word, 10) < 1);
