@@ -75,5 +75,19 @@ TEST(PovRaySpellings, CallersDeclareNumbers) {
     EXPECT_EQ(scene->get<Sphere>()[1].radius, 2);
 }
 
+// A string of some length has the number of a word.
+TEST(PovRaySpellings, UndefTakesANameOnly) {
+    for (const std::string& name : {std::string("3"), '"' + std::string(1200, 'a') + '"',
+                                    std::string("sphere"), std::string("#while"), std::string()}) {
+        const Result<Scene> result = read_povray("#undef " + name + "\nsphere { 0, 1 }");
+        EXPECT_FALSE(result) << name;
+        EXPECT_NE(messages(result).find("expected a name after `#undef`"), std::string::npos)
+            << messages(result);
+    }
+    EXPECT_EQ(
+        povray_scene("#declare R = 3;\n#undef R\n#undef T\n#ifndef (R) sphere { 0, 1 } #end").shapes.size(),
+        1u);
+}
+
 }  // namespace
 }  // namespace glint::test

@@ -51,7 +51,7 @@ void Reader::read_directive() {
         case Word::k_default:
             return read_default();
         case Word::k_undef:
-            return unbind(take_raw().name);
+            return read_undef();
         case Word::k_error:
         case Word::k_warning:
         case Word::k_debug:
@@ -99,6 +99,14 @@ void Reader::read_declare(bool is_local) {
     }
     if (!failed_) accept(';');
     end_value();
+}
+
+void Reader::read_undef() {
+    const Token name = take_raw();
+    if (name.kind != TokenKind::word || Names::is_reserved(name.name)) {
+        return error(name, fmt::format("expected a name after `#undef`, found {}", describe(name)));
+    }
+    unbind(name.name);
 }
 
 // NAME (PARAMETERS) tokens #end. The body is parsed at each call.

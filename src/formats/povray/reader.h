@@ -130,6 +130,7 @@ class Reader {
 
     void read_directive();
     void read_declare(bool is_local);
+    void read_undef();
     void read_macro(const Token& at);
     void read_version();
     void read_default();
