@@ -11,12 +11,14 @@ namespace {
 
 constexpr std::int32_t k_background_picture = 320;  // longest side, pixels
 constexpr double k_same_color = 1.5 / 255;
+constexpr double k_similar_color = 0.15;             // for shapes whose material has the background's color
 constexpr double k_min_same = 0.98;                  // of a shape's pixels
 constexpr double k_max_outline = 0.1;                // of its outline: pixels of other shapes beside it
 constexpr std::size_t k_min_background_pixels = 12;  // smaller shapes are not examined
 
 struct Look {
-    std::size_t all = 0, same = 0, lit = 0;     // pixels; lit: not black
+    std::size_t all = 0, lit = 0;               // pixels; lit: not black
+    std::size_t same = 0, similar = 0;          // of them: like the background
     std::size_t outline = 0, before_other = 0;  // neighbours of these pixels
 };
 
@@ -47,6 +49,15 @@ bool may_look_so(const CheckContext& context, std::uint32_t shape, bool lit) {
                       brightest(m.phong) > k_same_color);
 }
 
+// Only the shading tells such a shape from the background.
+bool has_color_of_background(const CheckContext& context, std::uint32_t shape) {
+    const Scene& scene = context.scene();
+    if (scene.gradient || brightest(scene.background) <= k_same_color) return false;
+    const Color color = context.material_of(shape).color, behind = scene.background;
+    return number::abs(color.r - behind.r) < k_same_color && number::abs(color.g - behind.g) < k_same_color &&
+           number::abs(color.b - behind.b) < k_same_color;
+}
+
 }  // namespace
 
 void check_background_shapes(CheckContext& context) {
@@ -74,13 +85,15 @@ void check_background_shapes(CheckContext& context) {
             ++look.all;
             const std::size_t i = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
                                        static_cast<std::size_t>(x));
-            bool same = true, lit = false;
+            double difference = 0;
+            bool lit = false;
             for (std::size_t c = i; c < i + 3; ++c) {
                 const double color = shown(picture.rgb[c]);
-                same = same && number::abs(color - shown(background.rgb[c])) < k_same_color;
+                difference = number::max(difference, number::abs(color - shown(background.rgb[c])));
                 lit = lit || color > k_same_color;
             }
-            look.same += same ? 1 : 0;
+            look.same += difference < k_same_color ? 1 : 0;
+            look.similar += difference < k_similar_color ? 1 : 0;
             look.lit += lit ? 1 : 0;
             const auto beside = [&](std::int32_t u, std::int32_t v) {
                 if (u < 0 || v < 0 || u >= size.width || v >= size.height) return;
@@ -92,30 +105,36 @@ void check_background_shapes(CheckContext& context) {
             beside(x - 1, y), beside(x + 1, y), beside(x, y - 1), beside(x, y + 1);
         }
     }
-    std::vector<std::uint32_t> found;
-    std::size_t pixels = 0;
+    std::vector<std::uint32_t> same, similar;
+    std::size_t pixels_of_same = 0, pixels_of_similar = 0;
     for (std::uint32_t i = 0; i < looks.size(); ++i) {
         const Look& look = looks[i];
         if (look.all < k_min_background_pixels || look.outline == 0) continue;
         const auto part = [](std::size_t a, std::size_t b) {
             return static_cast<double>(a) / static_cast<double>(b);
         };
-        if (part(look.same, look.all) < k_min_same || part(look.before_other, look.outline) > k_max_outline)
+        const bool is_same = part(look.same, look.all) >= k_min_same;
+        if (!is_same && (part(look.similar, look.all) < k_min_same || !has_color_of_background(context, i)))
             continue;
+        if (part(look.before_other, look.outline) > k_max_outline) continue;
         if (may_look_so(context, i, part(look.lit, look.all) > k_min_same)) continue;
-        found.push_back(i);
-        pixels += look.all;
+        (is_same ? same : similar).push_back(i);
+        (is_same ? pixels_of_same : pixels_of_similar) += look.all;
     }
-    if (found.empty()) return;
-    const bool single = found.size() == 1;
-    context.report(
-        "shape-looks-like-background", context.at_shape(found.front()),
-        fmt::format(
-            "{} cannot be told from the background: {:.2g}% of the picture {} the same color as what is "
-            "behind",
-            context.some_shapes(found), 100 * static_cast<double>(pixels) / static_cast<double>(rays.size()),
-            single ? "is the shape and has" : "are the shapes and have"),
-        "give the shape another color than the background's");
+    const auto report = [&](const std::vector<std::uint32_t>& shapes, std::size_t pixels,
+                            std::string_view what) {
+        if (shapes.empty()) return;
+        const double percent = 100 * static_cast<double>(pixels) / static_cast<double>(rays.size());
+        context.report(
+            "shape-looks-like-background", context.at_shape(shapes.front()),
+            fmt::format("{} {}: {:.2g}% of the picture", context.some_shapes(shapes), what, percent),
+            "give the shape another color than the background's");
+    };
+    report(same, pixels_of_same, "cannot be told from the background, which has the same color");
+    const bool single = similar.size() == 1;
+    report(similar, pixels_of_similar,
+           fmt::format("{} the color of the background, and only the shading shows where {}",
+                       single ? "has" : "have", single ? "it is" : "they are"));
 }
 
 }  // namespace glint

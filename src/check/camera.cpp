@@ -13,6 +13,10 @@
 namespace glint {
 namespace {
 
+// A plane cuts a shape if it is nearer to its centre than this part of its extent: a ball on a floor is not
+// cut.
+constexpr double k_inner_part = 0.99;
+
 bool contains(const Bounds& outer, const Bounds& inner) {
     return outer.min.x <= inner.min.x && outer.min.y <= inner.min.y && outer.min.z <= inner.min.z &&
            outer.max.x >= inner.max.x && outer.max.y >= inner.max.y && outer.max.z >= inner.max.z;
@@ -22,7 +26,7 @@ bool cuts(Vec3 point, Vec3 normal, const Bounds& box) {
     const Vec3 half = (box.max - box.min) * 0.5, way = box.min + half - point;
     const double reach =
         number::abs(normal.x) * half.x + number::abs(normal.y) * half.y + number::abs(normal.z) * half.z;
-    return number::abs(dot(way, normal)) < reach;
+    return number::abs(dot(way, normal)) < k_inner_part * reach;
 }
 
 // A sky, or a room: it holds other shapes too, or a plane goes through it.

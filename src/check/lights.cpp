@@ -259,6 +259,10 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
     for (std::size_t n = groups; n > k_full_looks; n /= 4) longest /= 2;
     std::size_t looked_twice = 0, dark = 0;
     std::vector<std::uint32_t> faint;
+    const auto note_if_faint = [&](std::span<const std::uint32_t> group, double effect) {
+        if (group.size() == 1 && effect < k_faint && scene.lights[group[0]].falls_off())
+            faint.push_back(group[0]);
+    };
     for (std::size_t g = 0; g < groups; ++g) {
         const std::size_t first = g * lights.size() / groups, end = (g + 1) * lights.size() / groups;
         const auto group = std::span<const std::uint32_t>(lights).subspan(first, end - first);
@@ -266,14 +270,17 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
         if (first_look.most >= k_half_byte) {
             if (group.size() == 1 && first_look.share < k_max_leak && is_shut_off(context, visible, group[0]))
                 report_dark(context, visible, group[0]);
-            else if (group.size() == 1 && first_look.most < k_faint && scene.lights[group[0]].falls_off())
-                faint.push_back(group[0]);
+            else
+                note_if_faint(group, first_look.most);
             continue;
         }
         // A highlight may lie between the pixels of a small picture.
         const double effect =
             effects.of(group, looked_twice++ < k_full_looks ? k_second_look : k_first_look).most;
-        if (effect >= k_half_byte) continue;
+        if (effect >= k_half_byte) {
+            note_if_faint(group, effect);
+            continue;
+        }
         for (const std::uint32_t index : group) {
             const bool is_dark = effect == 0 || (group.size() == 1 && is_shut_off(context, visible, index));
             if (is_dark && dark++ < k_max_dark)

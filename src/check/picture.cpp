@@ -295,7 +295,11 @@ void check_reflections(CheckContext& context, const Image& picture) {
 
 void check_picture(CheckContext& context, const VisibleHits& visible) {
     const Image picture = context.render_small(k_small_picture);
-    if (picture.rgb.empty() || check_one_color(context, picture)) return;
+    if (picture.rgb.empty()) return;
+    if (check_one_color(context, picture)) {
+        if (!context.is_reported("picture-black")) check_ambient_light(context, visible);
+        return;
+    }
     check_clamped(context, visible, picture);
     if (!context.is_reported("picture-clamped")) check_ambient_light(context, visible);
     check_background_shapes(context);

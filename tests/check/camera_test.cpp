@@ -23,6 +23,15 @@ TEST(CheckCamera, InsideAShape) {
     }
 }
 
+// It touches the floor, which does not go through it.
+TEST(CheckCamera, InsideABallOnAFloor) {
+    EXPECT_TRUE(has(ids_of("camera { position = (0, 1.2, 0.3)  look_at = (0, 1, -4)  fov_x = 50 }\n"
+                           "light { position = (3, 6, 5)  intensity = 0.6 }\n"
+                           "sphere { center = (0, 0.7, 0.2)  radius = 0.7 }\n"
+                           "plane { point = (0, 0, 0)  normal = (0, 1, 0) }\n"),
+                    "camera-inside-shape@1"));
+}
+
 TEST(CheckCamera, NotInsideWhatIsOpenBesideItOrAroundAll) {
     for (const char* shape :
          {// open ends

@@ -284,6 +284,10 @@ TEST(CheckLights, AttenuatedAway) {
     EXPECT_EQ(ids_of(lamp("intensity = 1  attenuation = (1, 0.1, 0.01)")), "");
     // Dim, but not by attenuation.
     EXPECT_EQ(ids_of(lamp("intensity = 0.04  attenuation = (1, 0.01, 0)")), "");
+    // The only shape in its light is so small that only a larger picture shows it.
+    EXPECT_EQ(ids_of(k_clean + "light { position = (1.2, 1.86, 0.06)  attenuation = (0, 0, 20000) }\n"
+                               "sphere { center = (1.2, 1.8, 0)  radius = 0.03 }\n"),
+              "light-attenuated-away@7");
     // Each is faint; together they are not.
     EXPECT_EQ(ids_of(with_lights(30, "intensity = 0.5  attenuation = (0, 0, 1)")), "");
 }

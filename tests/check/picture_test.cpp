@@ -229,7 +229,12 @@ TEST(CheckPicture, ShapesInTheColorOfTheBackground) {
     EXPECT_TRUE(
         has(only_message(base + ghost + "0 }\n"), "box 2 (line 6) cannot be told from the background"))
         << only_message(base + ghost + "0 }\n");
-    EXPECT_EQ(ids_of(base + ghost + "0.5 }\n"), "");
+    // Visible by its shading alone; then by strong shading; then by another color.
+    EXPECT_TRUE(has(only_message(base + ghost + "0.5 }\n"),
+                    "box 2 (line 6) has the color of the background, and only the shading shows where it is"))
+        << only_message(base + ghost + "0.5 }\n");
+    EXPECT_FALSE(has(ids_of(base + ghost + "2 }\n"), "looks-like-background"));
+    EXPECT_EQ(ids_of(base + ghost + "0.5  diffuse_color = (0.8, 0.3, 0.2) }\n"), "");
     EXPECT_EQ(ids_of("render { shading = color }  " + base.substr(0, base.find("light")) + ghost +
                      "0.5 }\nsphere { center = (-1.5, 1, 0)  radius = 1 }\n"),
               "shape-looks-like-background@3");
@@ -264,6 +269,15 @@ TEST(CheckPicture, ShapesInTheColorOfTheBackground) {
     EXPECT_EQ(ids_of(base.substr(base.find('\n') + 1) +
                      "sphere { center = (1.5, 1, 0)  radius = 0.7  color = (0, 0, 0) }\n"),
               "shape-looks-like-background@5");
+}
+
+TEST(CheckPicture, AmbientLightThatMakesAllWhite) {
+    std::string text = k_clean;
+    const std::string_view old = "light { type = ambient  intensity = 0.2 }";
+    text.replace(text.find(old), old.size(),
+                 "background = (1, 1, 1)  light { type = ambient  intensity = 30 }");
+    EXPECT_TRUE(has(ids_of(text), "picture-one-color")) << ids_of(text);
+    EXPECT_TRUE(has(ids_of(text), "ambient-too-strong@2")) << ids_of(text);
 }
 
 }  // namespace
