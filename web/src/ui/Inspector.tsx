@@ -51,7 +51,7 @@ function Sum({explanation}: {explanation: Explanation}) {
                 </tbody>
                 <tfoot>
                     <tr data-sum><th scope="row">sum</th>{explanation.value.map((value, c) => <td key={c}>{short(value)}</td>)}</tr>
-                    <tr><th scope="row">{byteWords(explanation)}</th>{explanation.bytes.map((value, c) => <td key={c}>{value}</td>)}</tr>
+                    <tr><th scope="row">{byteWords(explanation)}{explanation.value.some((value) => value > 1) && ', at most 255'}</th>{explanation.bytes.map((value, c) => <td key={c}>{value}</td>)}</tr>
                 </tfoot>
             </table>
         </section>
@@ -101,8 +101,8 @@ function Light({terms, hit, ray, index}: {terms: LightTerms; hit: ExplainedHit; 
             {hit.material.brilliance !== 1 && <Term name={<>(N·L)<sup>b</sup></>} place={hit.material} formula={`brilliance b = ${short(hit.material.brilliance)}`} value={short(terms.diffuse_factor)} />}
             {terms.phong_power !== undefined && <Term name={<>(R·V)<sup>n</sup></>} place={hit.material} formula={`second highlight, n = ${short(hit.material.phong_shininess)}`} value={short(terms.phong_power)} />}
             {terms.highlight_tint && <Term name="tint" place={hit.material} formula="of the metal's highlights" value={shortColor(terms.highlight_tint)} />}
-            <Term name="diffuse" place={hit.material} formula="k_d N·L I" value={shortColor(terms.diffuse)} />
-            <Term name="specular" place={hit.material} formula={<>k_s S<sup>n</sup> I</>} value={shortColor(terms.specular)} />
+            <Term name="diffuse" place={hit.material} formula={hit.material.brilliance === 1 ? 'k_d N·L I' : <>k_d (N·L)<sup>b</sup> I</>} value={shortColor(terms.diffuse)} />
+            <Term name="specular" place={hit.material} formula={<>k_s {isPhong ? '(R·V)' : '(N·H)'}<sup>n</sup> I</>} value={shortColor(terms.specular)} />
         </details>
     );
 }

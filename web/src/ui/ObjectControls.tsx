@@ -15,6 +15,9 @@ const plain: Record<string, string> = {
     emission: 'emission, k_e', emission_color: 'k_e',
 };
 
+/** In .cgfs, as in its book, `specular` is the exponent of the highlight. */
+const plainIn: Record<string, Record<string, string>> = {'.cgfs': {specular: 'exponent, n'}};
+
 function Block({offset, title}: {offset: number; title: string}) {
     const found = numericEntries(text.value, offset);
     if (!found || found.entries.length === 0) return null;
@@ -23,7 +26,7 @@ function Block({offset, title}: {offset: number; title: string}) {
             <h4>{title}</h4>
             {found.entries.map(({key, numbers, set}) => (
                 <fieldset key={key} class="row" title={key}>
-                    <legend>{plain[key] ?? key}</legend>
+                    <legend>{plainIn[format.value?.name ?? '']?.[key] ?? plain[key] ?? key}</legend>
                     {numbers.map((value, i) => (
                         <NumberField key={i} label={numbers.length === 1 ? `${title}: ${key}` : `${title}: ${key} ${i + 1}`} hidden value={value} step={Math.abs(value) >= 10 ? 1 : 0.05}
                                      set={(to) => services.editor?.apply(set(i, to))} />

@@ -32,7 +32,7 @@ export function Stepper() {
                 <span class="swatch large" style={{background: css(sum)}} aria-hidden="true" />
             </div>
             <p aria-live="polite">
-                {ray === null ? `All ${order.length} rays: n and p, or the buttons, go through them one by one.`
+                {ray === null ? (order.length === 1 ? 'This pixel has one ray.' : `All ${order.length} rays: n and p, or the buttons, go through them one by one.`)
                     : `Ray ${at! + 1} of ${order.length}: ${rayNames[ray.kind].toLowerCase()} ${ray.hit ? `hits ${itemName(ray.hit.shape)}` : 'leaves the scene'}, adds ${shortColor(addedBy(ray))}.`}
             </p>
             <div class="growing" data-sum-so-far={sum.join(' ')}>

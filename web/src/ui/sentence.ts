@@ -21,14 +21,34 @@ const phrase = (name: string) => `the ${name.replace(/^“/, 'light “').replac
 
 const sum = (color: Vec3) => color.reduce((a, b) => a + Math.max(0, b), 0);
 
-/** The object that a mirror or glass shows first. */
+/** What a mirror or glass shows: the first thing on the way that is not the surface itself, as the far side of a glass ball. */
 function seenIn(explanation: Explanation, hit: ExplainedHit, side: 'reflected' | 'transmitted'): string {
-    const ray = hit[side].ray === undefined ? undefined : explanation.rays[hit[side].ray];
+    const isSame = (other: ExplainedHit) => other.shape.index === hit.shape.index && other.shape.kind === hit.shape.kind;
+    let ray = hit[side].ray === undefined ? undefined : explanation.rays[hit[side].ray];
     if (!ray) return 'nothing';
+    for (let inside = 0; ray.hit && isSame(ray.hit) && inside < 8; ++inside) {
+        const next: number | undefined = ray.hit.transmitted.ray ?? ray.hit.reflected.ray;
+        if (next === undefined) return `${phrase(itemName(hit.shape))} itself`;
+        ray = explanation.rays[next]!;
+    }
     return ray.hit ? phrase(itemName(ray.hit.shape)) : 'the background';
 }
 
-/** "Mostly green diffuse light; 22% is the sphere on line 8 in the mirror; the point light on line 12 is blocked by ..." */
+/** The same for a part of a pixel, before a noun; nothing for a part so dark that its hue cannot be seen. */
+const hue = (color: Vec3) => (colorName(color) === 'black' ? '' : `${colorName(color)} `);
+
+const small = 0.005;  // of the pixel; smaller parts are left out
+
+const percent = (share: number) => `${Math.max(1, Math.round(100 * share))}%`;
+
+/** The channels that are brighter than white, which a picture cannot show. */
+function clamped({value}: Explanation): string | null {
+    const names = ['red', 'green', 'blue'].filter((_, c) => value[c]! > 1 + 1e-9);
+    if (names.length === 0) return null;
+    return `${names.join(' and ')} ${names.length === 1 ? 'is' : 'are'} above 1 and shown as 255`;
+}
+
+/** "82% green diffuse light; 18% is the sphere on line 8 in the mirror; the point light on line 12 is blocked by ..." */
 export function sentence(explanation: Explanation): string {
     const hit = explanation.rays[0]?.hit;
     const {layers} = explanation;
@@ -41,18 +61,25 @@ export function sentence(explanation: Explanation): string {
     if (total <= 1e-6) {
         parts.push('black: nothing adds light here');
     } else {
-        const share = (name: (typeof layerNames)[number]) => sum(layers[name]) / total;
-        const local = (['ambient', 'diffuse', 'specular', 'emission'] as const).reduce((a, b) => (share(b) > share(a) ? b : a));
-        const words = {ambient: 'ambient light', diffuse: 'diffuse light', specular: 'highlight', emission: 'light that the surface emits'}[local];
-        if (share(local) > 0.02) {
-            const amount = share(local) > 0.9 ? 'almost all' : share(local) > 0.5 ? 'mostly' : `${Math.round(100 * share(local))}%`;
-            parts.push(`${amount} ${colorName(layers[local])} ${words}`);
-        }
-        if (share('reflection') > 0.005) parts.push(`${Math.round(100 * share('reflection'))}% is ${seenIn(explanation, hit, 'reflected')} in the mirror`);
         const isStraight = explanation.rays[hit.transmitted.ray ?? -1]?.straight === true;
-        if (share('transmission') > 0.005) parts.push(`${Math.round(100 * share('transmission'))}% is ${seenIn(explanation, hit, 'transmitted')} ${isStraight ? 'behind the transparent surface' : 'through the glass'}`);
-        if (share('sky') > 0.005) parts.push(`${Math.round(100 * share('sky'))}% is light from all directions${hit.occlusion ? `, of which ${Math.round(100 * hit.occlusion.blocked / hit.occlusion.samples)}% is blocked` : ''}`);
-        if (share('fog') > 0.005) parts.push(`${Math.round(100 * share('fog'))}% is the fog's own light`);
+        const occluded = hit.occlusion ? `, of which ${Math.round(100 * hit.occlusion.blocked / hit.occlusion.samples)}% is blocked` : '';
+        // Every part of the pixel, the largest first.
+        const words: Record<(typeof layerNames)[number], () => string> = {
+            background: () => 'is the background', ambient: () => `${hue(layers.ambient)}ambient light`, diffuse: () => `${hue(layers.diffuse)}diffuse light`,
+            specular: () => `${hue(layers.specular)}highlight`, emission: () => `${hue(layers.emission)}light that the surface emits`,
+            reflection: () => `is ${seenIn(explanation, hit, 'reflected')} in the mirror`,
+            transmission: () => `is ${seenIn(explanation, hit, 'transmitted')} ${isStraight ? 'behind the transparent surface' : 'through the glass'}`,
+            sky: () => `is light from all directions${occluded}`, fog: () => 'is the fog’s own light',
+        };
+        const shares = layerNames.map((name) => ({name, share: sum(layers[name]) / total})).filter(({share}) => share > small).sort((a, b) => b.share - a.share);
+        for (const [i, {name, share}] of shares.entries()) {
+            const text = words[name]();
+            const isOwn = !text.startsWith('is ');
+            if (shares.length === 1) parts.push(isOwn ? `all ${text}` : `all of it ${text}`);
+            else parts.push(`${percent(share)} ${i === 0 && isOwn ? text : isOwn ? `is ${text}` : text}`);
+        }
+        const tooBright = clamped(explanation);
+        if (tooBright) parts.push(tooBright);
     }
     for (const {light, reason, blocker, sample} of hit.lights) {
         // Of an area light's samples, the first speaks for all if they have the same fate.

@@ -19,7 +19,7 @@ export function lightName(light: LightTerms['light']): string {
 /** A number with four digits. */
 export function short(value: number | null | undefined): string {
     if (value === null || value === undefined) return '–';
-    if (value === 0) return '0';
+    if (Math.abs(value) < 1e-12) return '0';  // rounding, and powers that have vanished
     // With a hyphen-minus, so that a copied number is one in a scene's text.
     const text = Math.abs(value) >= 1e5 || Math.abs(value) < 1e-4 ? value.toExponential(1) : String(Number(value.toPrecision(4)));
     return text;
