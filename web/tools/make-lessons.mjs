@@ -51,11 +51,15 @@ function lesson(file) {
     };
 }
 
-/** A file of challenges/: the task in its first line, then the target and the start, divided by a line of ---. */
+/**
+ * A file of challenges/: the task in its first line, perhaps lines of `# check CONDITION`, then the target and the start, divided
+ * by a line of ---. The challenge is met by the target's picture, and by one that is nearly the target if the conditions hold.
+ */
 function challenge(file) {
     const [task, ...rest] = readFileSync(join(challenges, file), 'utf8').split('\n');
-    const [target, start] = rest.join('\n').split(/^---\n/m);
-    return {id: file.replace(/\.\w+$/, ''), task: task.replace(/^#\s*/, ''), name: file, target, start};
+    const checks = rest.filter((line) => line.startsWith('# check ')).map((line) => line.slice(8));
+    const [target, start] = rest.filter((line) => !line.startsWith('# check ')).join('\n').split(/^---\n/m);
+    return {id: file.replace(/\.\w+$/, ''), task: task.replace(/^#\s*/, ''), name: file, target, start, ...(checks.length > 0 ? {checks} : {})};
 }
 
 const list = readdirSync(lessons).filter((file) => /^\d.*\.md$/.test(file)).sort().map(lesson);

@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decides whether a lesson's step is done: by the scene as glint reads it, by its pixels as glint explains them, and by the
-// pinned pixel. docs/lessons/README.md describes the checks.
+// Decides whether a lesson's step is done, and says what is missing: by the scene as glint reads it, by its pixels as glint
+// explains them, and by the pinned pixel. docs/lessons/README.md describes the checks.
 import type {Explanation, ExplainedHit, SceneInfo} from 'glint-wasm';
 
 export interface Situation {
     info: SceneInfo;
-    text: string;
     pinned: Explanation | null;
     /** Explains the pixel at these fractions of the picture's size. */
     explain(x: number, y: number): Promise<Explanation | null>;
 }
 
-const number = String.raw`(-?[\d.]+)`;
-const comparison = String.raw`(<=|>=|<|>|=)\s*${number}`;
+/** missing: what is missing, for the reader; empty if the check holds. */
+export interface Verdict {holds: boolean; missing: string}
 
-function holds(value: number | null | undefined, sign: string, limit: number): boolean {
-    if (value === null || value === undefined) return false;
-    if (sign === '=') return Math.abs(value - limit) < 1e-6;
+type Value = number | string | null;
+/** A quantity, and what it is called in a sentence. */
+interface Found {value: Value; name: string}
+
+const number = String.raw`-?[\d.]+`;
+const signs: Record<string, string> = {'=': '', '<': 'less than ', '>': 'more than ', '<=': 'at most ', '>=': 'at least '};
+
+function holds(value: Value, sign: string, limit: Value): boolean {
+    if (value === null || limit === null) return false;
+    if (typeof value === 'string' || typeof limit === 'string') return sign === '=' && String(value) === String(limit);
+    if (sign === '=') return Math.abs(value - limit) <= 1e-6 * Math.abs(limit);
     return sign === '<' ? value < limit : sign === '>' ? value > limit : sign === '<=' ? value <= limit : value >= limit;
 }
 
@@ -24,7 +31,14 @@ const largest = (color: readonly number[]) => Math.max(...color);
 const channels = ['red', 'green', 'blue'];
 const layers = ['background', 'ambient', 'diffuse', 'specular', 'reflection', 'transmission', 'emission', 'sky', 'fog'] as const;
 
-/** A quantity of a pixel: a channel's byte, a layer, the material's exponent, the number of rays. */
+/** The names of quantities of a pixel that are not their own. */
+const pixelNames: Record<string, string> = {
+    ambient: 'the ambient light', diffuse: 'the diffuse light', specular: 'the highlight', reflection: 'the mirror’s part', transmission: 'the glass’s part',
+    n_l: 'N·L', rays: 'the number of rays', generations: 'the number of mirrors and glass surfaces on the way', lights: 'the number of lights that add something',
+    blocked: 'the number of blocked lights', 'material.shininess': 'the exponent', 'material.ior': 'the index of refraction',
+};
+
+/** A quantity of a pixel: a channel's byte, a layer, a number of the material, the number of rays. */
 function ofPixel(explanation: Explanation | null, what: string): number | null {
     if (!explanation) return null;
     const hit = explanation.rays[0]?.hit;
@@ -36,9 +50,11 @@ function ofPixel(explanation: Explanation | null, what: string): number | null {
     if (what === 'lights') return hit?.lights.filter((light) => light.reason === 'adds').length ?? 0;
     if (what === 'blocked') return hit?.lights.filter((light) => light.reason === 'blocked').length ?? 0;
     if (what === 'n_l') return Math.max(...(hit?.lights.map((light) => light.n_l ?? -1) ?? [-1]));
+    const [owner, field, part] = what.split('.') as [string, string?, string?];
     const material = hit?.material as (ExplainedHit['material'] & Record<string, unknown>) | undefined;
-    const value = what.startsWith('material.') ? material?.[what.slice(9)] : undefined;
-    return typeof value === 'number' ? value : Array.isArray(value) ? largest(value as number[]) : null;
+    const value = owner === 'material' && field !== undefined ? material?.[field] : undefined;
+    if (Array.isArray(value)) return part === undefined ? largest(value as number[]) : ((value as number[])[Number(part)] ?? null);
+    return typeof value === 'number' ? value : null;
 }
 
 /** A light's field: its color's largest channel, or a part of another field: position.x. */
@@ -51,24 +67,71 @@ function ofLight(info: SceneInfo, index: number, what: string): number | null {
     return Array.isArray(value) && part ? ((value as number[])[['x', 'y', 'z'].indexOf(part)] ?? (value as number[])[Number(part)] ?? null) : null;
 }
 
-type Check = (situation: Situation, parts: string[]) => boolean | Promise<boolean>;
-const kinds: [RegExp, Check][] = [
-    [/^setting (\w+) = (\S+)$/, ({info}, [key, value]) => info.settings.find((one) => one.name === key)?.value === value],
-    [new RegExp(`^setting (\\w+) ${comparison}$`), ({info}, [key, sign, limit]) =>
-        holds(Number(info.settings.find((one) => one.name === key)?.value), sign!, Number(limit))],
-    [new RegExp(`^lights ${comparison}$`), ({info}, [sign, limit]) => holds(info.lights.length, sign!, Number(limit))],
-    [new RegExp(`^light (\\d+) (\\S+) ${comparison}$`), ({info}, [index, what, sign, limit]) =>
-        holds(ofLight(info, Number(index), what!), sign!, Number(limit))],
-    [new RegExp(`^pixel ${number},${number} (\\S+) ${comparison}$`), async ({explain}, [x, y, what, sign, limit]) =>
-        holds(ofPixel(await explain(Number(x), Number(y)), what!), sign!, Number(limit))],
-    [new RegExp(`^pinned (\\S+) ${comparison}$`), ({pinned}, [what, sign, limit]) => holds(ofPixel(pinned, what!), sign!, Number(limit))],
-];
+function lightName(info: SceneInfo, index: number): string {
+    const light = info.lights[index - 1];
+    if (!light) return `light ${index}`;
+    return light.name ? `“${light.name}”` : `the ${light.kind} light`;
+}
 
-/** True if a check holds. Throws if it is none. */
-export async function holdsCheck(check: string, situation: Situation): Promise<boolean> {
-    for (const [pattern, decide] of kinds) {
-        const match = pattern.exec(check.trim());
-        if (match) return decide(situation, match.slice(1));
+/** The quantity that the words before the sign name. Null: they name none. */
+async function find(words: string[], {info, pinned, explain}: Situation): Promise<Found[] | null> {
+    const [what, ...rest] = words;
+    const last = rest.at(-1);
+    if (what === 'setting' && last !== undefined) {
+        const value = info.settings.find((one) => one.name === last)?.value ?? null;
+        const isNumber = value !== null && value.trim() !== '' && Number.isFinite(Number(value));
+        return [{value: isNumber ? Number(value) : value, name: last}];
     }
-    throw new Error(`not a check: ${check}`);
+    if (what === 'lights' && last === undefined) return [{value: info.lights.length, name: 'the number of lights'}];
+    if (what === 'light' && rest.length === 2) {
+        const index = Number(rest[0]);
+        return [{value: ofLight(info, index, last!), name: `${last!.split('.')[0]} of ${lightName(info, index)}`}];
+    }
+    if (what === 'pinned' && last !== undefined) return [{value: ofPixel(pinned, last), name: `${pixelNames[last] ?? last} at the clicked pixel`}];
+    if (what === 'pixel' && last !== undefined) {
+        const found: Found[] = [];
+        for (const place of rest.slice(0, -1)) {
+            const [x, y] = place.split(',').map(Number) as [number, number];
+            found.push({value: ofPixel(await explain(x, y), last), name: pixelNames[last] ?? last});
+        }
+        return found.length > 0 ? found : null;
+    }
+    return null;
+}
+
+const shown = (value: Value) => (typeof value === 'number' ? String(Number(value.toPrecision(3))) : String(value));
+
+/** The limit: a value, or a multiple of another quantity of a pixel: 0.5 specular@0.5,0.5. */
+async function limitOf(words: string[], left: string[], situation: Situation): Promise<Found | null> {
+    const [first, other, ...more] = words;
+    if (first === undefined || more.length > 0) return null;
+    const isNumber = new RegExp(`^${number}$`).test(first);
+    if (other === undefined) return {value: isNumber ? Number(first) : first, name: ''};
+    if (!isNumber) return null;
+    const [what, place] = other.split('@') as [string, string?];
+    const at = place !== undefined ? ['pixel', place, what] : [...left.slice(0, -1), what];
+    const found = (await find(at, situation))?.[0];
+    if (!found) return null;
+    return {value: typeof found.value === 'number' ? Number(first) * found.value : null, name: `${first} times ${pixelNames[what] ?? what}`};
+}
+
+/**
+ * Examines a check, `QUANTITY SIGN LIMIT`, and after a `|` the sentence that says what is missing; {value} in it is the quantity.
+ * Of several pixels, one has to hold. Throws if it is none.
+ */
+export async function examine(check: string, situation: Situation): Promise<Verdict> {
+    const [condition = '', message] = check.split(/\s\|\s/);
+    const match = /^(.+?)\s*(<=|>=|<|>|=)\s*(.+)$/.exec(condition.trim());
+    const words = match ? match[1]!.split(/\s+/) : [];
+    const found = match ? await find(words, situation) : null;
+    const limit = match ? await limitOf(match[3]!.trim().split(/\s+/), words, situation) : null;
+    if (!match || !found || !limit) throw new Error(`not a check: ${check}`);
+    const sign = match[2]!;
+    if (found.some(({value}) => holds(value, sign, limit.value))) return {holds: true, missing: ''};
+    if (words[0] === 'pinned' && !situation.pinned) return {holds: false, missing: 'Click a pixel of the picture.'};
+    const {value, name} = found[0]!;
+    if (message !== undefined) return {holds: false, missing: message.replace('{value}', shown(value))};
+    if (value === null) return {holds: false, missing: `There is no ${name}.`};
+    const wanted = `${signs[sign]}${shown(limit.value)}${limit.name && `, ${limit.name}`}`;
+    return {holds: false, missing: `${name[0]!.toUpperCase()}${name.slice(1)} is ${shown(value)}; it has to be ${wanted}.`};
 }

@@ -26,6 +26,8 @@ export interface Challenge {
     name: string;
     target: string;
     start: string;
+    /** If given: the challenge is also met if all of them hold (checks.ts) and the picture is nearly the target. */
+    checks?: string[];
     /** If given: only lines with one of these words may be changed. */
     may?: string[] | undefined;
 }

@@ -3,8 +3,9 @@
 import {effect, signal} from '@preact/signals';
 import type {Comparison, OpenRequest} from 'glint-wasm';
 
-import {holdsCheck} from '../learn/checks';
+import {examine} from '../learn/checks';
 import type {Challenge, Lesson} from '../learn/types';
+import {forgetHints} from './hints';
 import {openScene, presentRequest} from './scene';
 import {
     documentId, givenChallenge, info, isFirstVisit, overrides, pinned, services, shownId, size, state, tab, text,
@@ -19,9 +20,8 @@ export const step = signal(0);
 export const challenge = signal<(Challenge & {overrides?: Record<string, string> | undefined}) | null>(null);
 /** The difference of the picture from the challenge's target, or why there is none. */
 export const difference = signal<Comparison | string | null>(null);
-/** The causes of the difference, once they are asked for. */
-export const hints = signal<string[] | null>(null);
-export const isSearching = signal(false);
+/** Whether the open step or challenge is done in the present picture, and what is missing; null: not known yet. */
+export const verdict = signal<{isDone: boolean; missing: string} | null>(null);
 
 const key = 'glint.done';
 
@@ -34,7 +34,7 @@ function kept(): string[] {
     }
 }
 
-/** Steps and challenges: "01_ambient/0", "c01". */
+/** The steps and challenges that have been done once: "01_ambient/0", "c01". */
 export const done = signal<ReadonlySet<string>>(new Set(kept()));
 
 function setDone(id: string) {
@@ -63,6 +63,7 @@ export async function openLesson(id: string) {
     openScene(found.scene);
     lesson.value = found;
     step.value = 0;
+    verdict.value = null;
     tab.value = 'learn';
 }
 
@@ -79,6 +80,7 @@ export function goToStep(number: number) {
     const scene = lesson.value?.steps[number]?.scene;
     if (scene) openScene(scene);
     pinned.value = null;  // of the step before
+    verdict.value = null;
     step.value = number;
 }
 
@@ -86,7 +88,8 @@ function begin(wanted: Challenge & {overrides?: Record<string, string> | undefin
     lesson.value = null;
     challenge.value = wanted;
     difference.value = null;
-    hints.value = null;
+    verdict.value = null;
+    forgetHints();
     tab.value = 'learn';
 }
 
@@ -120,64 +123,69 @@ export function forbiddenLines(of: Challenge, now: string): number[] {
 /** A challenge is met if the pictures are equal but for rounding. */
 export const isMet = (found: Comparison | string | null) => typeof found === 'object' && found !== null && found.mean <= 0.1 && found.within >= 0.999 * found.pixels;
 
+/** The picture is nearly the target: with a challenge's own conditions that is enough. */
+const isNear = (found: Comparison | string) => typeof found === 'object' && found.mean <= 4;
+
 let last = 0;
 
-async function compare(causes: boolean): Promise<Comparison | string> {
+async function compare(): Promise<Comparison | string> {
     const current = challenge.value!;
     try {
         return await services.pool!.run({
             view: 'challenge', key: ++last, request: presentRequest(), prepare: {},
-            task: {what: 'compare', reference: targetRequest(current), causes},
-        }, !causes);
+            task: {what: 'compare', reference: targetRequest(current), causes: false},
+        }, true);
     } catch (error) {
         return error instanceof Error ? error.message : String(error);
     }
 }
 
-/** Asks glint for the causes of the difference. */
-export async function askForHints() {
-    isSearching.value = true;
-    const found = await compare(true);
-    isSearching.value = false;
-    if (typeof found === 'string') {
-        hints.value = [found];
-        return;
-    }
-    const causes = [...(found.causes ?? []), ...(found.then ?? [])];
-    hints.value = causes.length > 0 ? causes.slice(0, 3).map((cause) => (cause.perhaps ? `Perhaps: ${cause.explanation}` : cause.explanation))
-        : [found.remark || found.where || 'glint finds no single cause. Compare shapes, lights and materials one by one.'];
-}
-
-async function checkStep() {
-    const now = lesson.value, number = step.value, facts = info.value;
-    const current = services.first?.current;
-    if (!now || !facts || !current || !services.pool) return;
+/** The first check that does not hold decides. Null if the scene has been replaced meanwhile. */
+async function examineAll(checks: readonly string[]): Promise<{isDone: boolean; missing: string} | null> {
+    const current = services.first?.current, facts = info.value;
+    if (!facts || !current || !services.pool) return null;
     const {content, key: opened, prepare} = current;
     const situation = {
-        info: facts, text: text.value, pinned: pinned.value,
+        info: facts, pinned: pinned.value,
         explain: (x: number, y: number) => services.pool!.run({
             view: 'first', key: opened, request: content.request, prepare,
             task: {what: 'explain', x: Math.floor(x * size.value.width), y: Math.floor(y * size.value.height)},
         }, true),
     };
     try {
-        for (const check of now.steps[number]!.checks) {
-            if (!(await holdsCheck(check, situation))) return;
+        for (const check of checks) {
+            const {holds, missing} = await examine(check, situation);
+            if (!holds) return {isDone: false, missing};
         }
     } catch {
-        return;  // the scene has been replaced meanwhile
+        return null;
     }
-    if (lesson.value === now && step.value === number) setDone(stepId(now, number));
+    return {isDone: true, missing: ''};
 }
 
 let checks = 0;
 
+async function checkStep() {
+    const now = lesson.value, number = step.value, check = ++checks;
+    if (!now) return;
+    const found = await examineAll(now.steps[number]!.checks);
+    if (!found || lesson.value !== now || step.value !== number || check !== checks) return;
+    verdict.value = found;
+    if (found.isDone) setDone(stepId(now, number));
+}
+
 async function checkChallenge() {
     const now = challenge.value, number = ++checks;
-    const found = await compare(false);
+    const found = await compare();
     if (challenge.value !== now || !now || number !== checks) return;  // of an older picture
+    const others = now.checks && !isMet(found) && isNear(found) ? await examineAll(now.checks) : null;
+    if (challenge.value !== now || number !== checks) return;
+    const isDone = (isMet(found) || others?.isDone === true) && forbiddenLines(now, text.value).length === 0;
     difference.value = found;
-    if (isMet(found) && forbiddenLines(now, text.value).length === 0) setDone(now.id);
+    verdict.value = {isDone, missing: ''};
+    if (!isDone) return;
+    forgetHints();
+    setDone(now.id);
 }
 
 /** Checks the open step or challenge whenever a picture is complete or a pixel is pinned. */
@@ -186,9 +194,14 @@ export function followLessons() {
     effect(() => {
         const isReady = state.value === 'done' && shownId.value === documentId.value;
         void [pinned.value, info.value, step.value, overrides.value];
+        if (state.value === 'error') verdict.value = {isDone: false, missing: 'The scene has an error, which the panel Text shows.'};
         if (!isReady) return;
         if (lesson.value) void checkStep();
         if (challenge.value) void checkChallenge();
+    });
+    effect(() => {
+        void text.value;  // hints are about one picture
+        forgetHints();
     });
     effect(() => {
         const given = givenChallenge.value;

@@ -4,16 +4,18 @@ import {useSignal} from '@preact/signals';
 import {useEffect, useRef} from 'preact/hooks';
 
 import {View} from '../engine/view';
+import {hints, isSearching, nextHint} from '../store/hints';
 import {
-    askForHints, challenge, difference, done, forbiddenLines, hints, isMet, isSearching, targetRequest,
+    challenge, challenges, difference, done, forbiddenLines, isMet, leave, openChallenge, targetRequest, verdict,
 } from '../store/learning';
+import {pin} from '../store/pixels';
 import {link, openScene} from '../store/scene';
 import {notice, overrides, services, text} from '../store/state';
+import {differencesOf} from './differences';
 import {TextField} from './fields';
-import {painter} from './pictures';
+import {canvases, painter, pixelsOf} from './pictures';
 
-function Target() {
-    const canvas = useRef<HTMLCanvasElement>(null);
+function Target({canvas}: {canvas: {current: HTMLCanvasElement | null}}) {
     const wanted = challenge.value!;
     useEffect(() => {
         const view = new View(services.pool!, 'target', {
@@ -26,6 +28,28 @@ function Target() {
         return () => view.stop();
     }, [wanted]);
     return <canvas ref={canvas} class="target" role="img" aria-label="The target" />;
+}
+
+const cell = 12;  // pixels; a difference of this size is no edge
+
+/** A pixel where the pictures differ, not only at an edge: the one in the middle of the cell that differs most. */
+function differingPixel(a: ImageData, b: ImageData): [number, number] {
+    const width = Math.min(a.width, b.width), height = Math.min(a.height, b.height);
+    let most = -1, at: [number, number] = [0, 0];
+    for (let top = 0; top < height; top += cell) {
+        for (let left = 0; left < width; left += cell) {
+            const right = Math.min(left + cell, width), bottom = Math.min(top + cell, height);
+            let sum = 0;
+            for (let y = top; y < bottom; ++y) {
+                for (let i = 4 * left; i < 4 * right; ++i) sum += Math.abs(a.data[4 * y * a.width + i]! - b.data[4 * y * b.width + i]!);
+            }
+            sum /= (right - left) * (bottom - top);
+            if (sum <= most) continue;
+            most = sum;
+            at = [Math.floor((left + right) / 2), Math.floor((top + bottom) / 2)];
+        }
+    }
+    return at;
 }
 
 /** "12.3% of the pixels differ; 4.1 of 255 on average." */
@@ -42,23 +66,58 @@ function Figures() {
     );
 }
 
+/** The hints that are shown, one more at each click. */
+function Hints({canvas}: {canvas: {current: HTMLCanvasElement | null}}) {
+    const now = challenge.value!, given = hints.value;
+    const isLast = given !== null && given.shown === given.all.length;
+    const ask = () => {
+        const pixel = given?.pixel ?? differingPixel(pixelsOf(canvases.first), pixelsOf(canvas.current!));
+        if (!given) void pin(pixel, false);
+        void nextHint(targetRequest(now), pixel, differencesOf);
+    };
+    return (
+        <>
+            <div class="presets">
+                <button class="button" disabled={isSearching.value || isLast || verdict.value?.isDone === true} onClick={ask}>
+                    {isSearching.value ? 'Searching…' : given ? 'Another hint' : 'Give me a hint'}
+                </button>
+                <button class="button" onClick={() => openScene({name: now.name, text: now.start})}>Begin again</button>
+            </div>
+            {given && (
+                <>
+                    <p class="note">At pixel ({given.pixel.join(', ')}), which is marked in the picture, the two differ:</p>
+                    <ul class="hints" aria-live="polite">{given.all.slice(0, given.shown).map((hint) => <li key={hint}>{hint}</li>)}</ul>
+                </>
+            )}
+        </>
+    );
+}
+
+function nextChallenge() {
+    const at = challenges.value.findIndex((one) => one.id === challenge.value?.id);
+    const next = at < 0 ? undefined : challenges.value[at + 1];
+    if (next) void openChallenge(next.id);
+    else leave();
+}
+
 export function OpenChallenge() {
-    const now = challenge.value!;
-    const isDone = done.value.has(now.id);
+    const now = challenge.value!, canvas = useRef<HTMLCanvasElement>(null);
+    const isDone = verdict.value?.isDone === true;
     const forbidden = forbiddenLines(now, text.value);
     return (
         <section class="challenge" data-open={now.id} data-done={isDone}>
             <h2>{now.task}</h2>
             {now.may && now.may.length > 0 && <p class="note">Only lines with one of these words may be changed: {now.may.join(', ')}.</p>}
-            <Target />
+            <Target canvas={canvas} />
             <Figures />
             {forbidden.length > 0 && <p class="message error" role="alert">Line {forbidden.slice(0, 5).join(', ')} may not be changed.</p>}
-            {isDone && <p class="step-state"><span class="tick" aria-hidden="true">✓</span> Done.</p>}
-            <div class="presets">
-                <button class="button" disabled={isSearching.value} onClick={() => void askForHints()}>{isSearching.value ? 'Searching…' : 'Give me a hint'}</button>
-                <button class="button" onClick={() => openScene({name: now.name, text: now.start})}>Begin again</button>
-            </div>
-            {hints.value && <ul class="hints" aria-live="polite">{hints.value.map((hint) => <li key={hint}>{hint}</li>)}</ul>}
+            {isDone ? (
+                <div class="presets">
+                    <p class="step-state done"><span class="tick" aria-hidden="true">✓</span> Done.{!isMet(difference.value) && ' The fault is mended, in another way than in the target.'}</p>
+                    <button class="button" onClick={nextChallenge}>{challenges.value.at(-1)?.id === now.id || now.id.startsWith('link:') ? 'All challenges' : 'Next challenge'}</button>
+                </div>
+            ) : done.value.has(now.id) && <p class="step-state">You have done this before; this picture is not the target.</p>}
+            <Hints canvas={canvas} />
         </section>
     );
 }

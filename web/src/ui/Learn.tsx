@@ -2,11 +2,13 @@
 // Lessons and challenges: the list, the open lesson with its steps.
 import {useEffect} from 'preact/hooks';
 
+import {solutionOf} from '../learn/solution';
 import {
-    challenge, challenges, done, goToStep, leave, lesson, lessons, loadLessons, openChallenge, openLesson, step, stepId,
+    challenge, challenges, done, goToStep, leave, lesson, lessons, loadLessons, openChallenge, openLesson, step, stepId, verdict,
 } from '../store/learning';
+import {pin} from '../store/pixels';
 import {openScene} from '../store/scene';
-import {tab} from '../store/state';
+import {services, size, tab} from '../store/state';
 import {OpenChallenge, TeachersChallenge} from './Challenge';
 import type {Lesson, Step} from '../learn/types';
 
@@ -24,24 +26,46 @@ function Html({html}: {html: string}) {
     );
 }
 
+/** What the solution changes, and a button that does it. */
+function Solution({of, number}: {of: Lesson; number: number}) {
+    const solution = solutionOf(of, number), {pixel} = solution;
+    const apply = () => {
+        if (solution.lines.length > 0 || !pixel) services.editor?.replaceBy(solution.text, false);
+        if (pixel) void pin([Math.floor(pixel[0] * size.value.width), Math.floor(pixel[1] * size.value.height)], false);
+    };
+    return (
+        <details class="solution"><summary>Solution</summary>
+            {solution.lines.length > 0 && (
+                <>
+                    <p class="note">The text’s changed {solution.lines.length === 1 ? 'line' : 'lines'}:</p>
+                    <pre>{solution.lines.join('\n')}</pre>
+                </>
+            )}
+            {pixel && <p class="note">{solution.lines.length > 0 ? 'Then click' : 'Click'} the picture at {Math.round(100 * pixel[0])}% of its width and {Math.round(100 * pixel[1])}% of its height.</p>}
+            <button class="button" onClick={apply}>Apply</button>
+        </details>
+    );
+}
+
 function StepOf({of, one, number}: {of: Lesson; one: Step; number: number}) {
-    const isOpen = step.value === number, isDone = done.value.has(stepId(of, number));
+    const isOpen = step.value === number, wasDone = done.value.has(stepId(of, number));
+    const isDone = isOpen ? verdict.value?.isDone === true : wasDone;
     return (
         <li class="step" data-step={number} data-done={isDone} aria-current={isOpen ? 'step' : undefined}>
-            <h3><Tick isDone={isDone} />
+            <h3><Tick isDone={wasDone} />
                 <button class="link" aria-expanded={isOpen} onClick={() => goToStep(number)}>{number + 1}. {one.title}</button>
             </h3>
             {isOpen && (
                 <>
                     <Html html={one.html} />
-                    <p class="step-state" role="status">{isDone ? 'Done.' : 'Not done yet: glint checks it as you work.'}</p>
+                    <p class={`step-state${isDone ? ' done' : ''}`} role="status">{isDone ? 'Done.' : `Not done${wasDone ? ' in this picture' : ' yet'}${verdict.value ? `: ${verdict.value.missing}` : '.'}`}</p>
                     <div class="presets">
                         {number + 1 < of.steps.length
                             ? <button class="button" aria-pressed={isDone} onClick={() => goToStep(number + 1)}>Next step</button>
                             : <button class="button" aria-pressed={isDone} onClick={() => nextLesson(of)}>Next lesson</button>}
                         <button class="button" onClick={() => openScene(one.scene ?? of.scene)}>Begin again</button>
                     </div>
-                    <details><summary>Solution</summary><pre class="solution">{one.solution}</pre></details>
+                    <Solution of={of} number={number} />
                 </>
             )}
         </li>
