@@ -76,6 +76,16 @@ TEST(PovRaySpellings, CallersDeclareNumbers) {
 }
 
 // A string of some length has the number of a word.
+TEST(PovRaySpellings, AShapeDoesNotBeginWithAString) {
+    for (const std::string shape : {"sphere", "mesh", "mesh2", "polygon", "triangle", "union"}) {
+        const Result<Scene> result =
+            read_povray("#declare A = " + shape + " { \"" + std::string(1200, 'a') + "\" }\n");
+        EXPECT_FALSE(result) << shape;
+        EXPECT_NE(messages(result).find("expected"), std::string::npos) << messages(result);
+    }
+}
+
+// Nor is it a name.
 TEST(PovRaySpellings, UndefTakesANameOnly) {
     for (const std::string& name : {std::string("3"), '"' + std::string(1200, 'a') + '"',
                                     std::string("sphere"), std::string("#while"), std::string()}) {

@@ -35,6 +35,7 @@ bool Reader::begins_object(const Token& token) {
 
 // Whether an object begins here that may be a declared one: its name, or `object`.
 bool Reader::begins_declared(const Token& word) {
+    if (word.kind != TokenKind::word) return false;
     if (Names::is_reserved(word.name)) return word.word() == Word::k_object;
     return find_value(word.name) != nullptr;
 }
