@@ -48,6 +48,7 @@ for (const family of ['cgfs', 'csc473', 'epfl', 'glint', 'nff', 'faults']) {
                 await choose(page, name);
             }
             assert.deepEqual(await picture(page), native(...args), name);
+            assert.deepEqual(await page.locator('input:invalid').evaluateAll((all) => all.map((one) => one.labels[0]?.textContent)), [], name);
         }
         // The menu has no scene that is missing in this test.
         assert.equal(await page.locator('.thumb').count(), files.flatMap(pictures).length);

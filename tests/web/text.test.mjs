@@ -198,6 +198,19 @@ test('a number in the text is dragged, and by keys; a whole drag is one change; 
     await page.keyboard.press('Alt+ArrowUp');
     assert.match(await sceneText(page), /look_at = \(0, 0, 0\) }\nsphere/);
     await page.getByRole('button', {name: 'Undo'}).click();
+    // A double click selects the whole number: what is typed replaces it.
+    await numberNear(page, 'sphere', 3).dblclick();
+    await page.keyboard.type('0.72');
+    assert.match(await sceneText(page), /radius = 0\.72 /);
+    await paste(page, text);
+    await settled(page);
+    // In a field the arrow keys move a number by its step, within its range.
+    const intensity = page.getByRole('spinbutton', {name: 'Intensity'}).first();
+    await intensity.press('ArrowUp');
+    await settled(page);
+    assert.doesNotMatch(await sceneText(page), /intensity = 0\.5 }/);
+    await paste(page, text);
+    await settled(page);
     // Digits of a comment are text; with Shift a drag selects.
     const comment = await page.locator('.tok-comment').boundingBox();
     await page.mouse.move(comment.x + 20, comment.y + 8);

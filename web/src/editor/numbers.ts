@@ -98,7 +98,15 @@ export const numbers = [
         },
         // Else the text would be selected.
         mousedown: (event, view) => numberUnder(view, event) !== null,
+        // A number is a word: what is typed next replaces all of it.
+        dblclick(event, view) {
+            const at = view.posAtCoords({x: event.clientX, y: event.clientY});
+            const span = at === null ? null : numberAt(view.state, at);
+            if (span) view.dispatch({selection: {anchor: span.from, head: span.to}});
+            return span !== null;
+        },
     }),
-    EditorView.theme({'.tok-number': {cursor: 'ew-resize', touchAction: 'pan-y'}}),
+    // touch-action has no effect on the number itself, which is inline. Lines are wrapped: they need no horizontal panning.
+    EditorView.theme({'.tok-number': {cursor: 'ew-resize'}, '.cm-content': {touchAction: 'pan-y pinch-zoom'}}),
     Prec.high(keymap.of([{key: 'Alt-ArrowUp', run: (view) => step(view, 1)}, {key: 'Alt-ArrowDown', run: (view) => step(view, -1)}])),
 ];

@@ -49,8 +49,13 @@ export function Slider({label, value, min, max, step, set, disabled, text}: {
     );
 }
 
-/** A number field. `hidden`: its label is for screen readers only. */
-export function NumberField({label, value, set, min, max, step, disabled, hidden}: {
+/** `value` moved by a step, within its range, without the digits that rounding adds. */
+function moved(value: number, by: number, min = -Infinity, max = Infinity): number {
+    return Math.min(max, Math.max(min, Number((value + by).toPrecision(12))));
+}
+
+/** A number field. `hidden`: its label is for screen readers only. The arrow keys move it by a step. */
+export function NumberField({label, value, set, min, max, step = 1, disabled, hidden}: {
     label: string; value: number; set: (value: number) => void; min?: number; max?: number; step?: number; disabled?: boolean | undefined;
     hidden?: boolean;
 }) {
@@ -59,12 +64,19 @@ export function NumberField({label, value, set, min, max, step, disabled, hidden
     return (
         <div class="number">
             <label for={id} class={hidden ? 'for-readers' : ''}>{label}</label>
-            <input id={id} type="number" value={draft.value ?? String(Number(value.toPrecision(6)))} min={min} max={max} step={step ?? 'any'} disabled={disabled}
+            {/* With a step of its own, the browser would call all numbers invalid that are no whole steps from the least one. */}
+            <input id={id} type="number" value={draft.value ?? String(Number(value.toPrecision(6)))} min={min} max={max} step="any" disabled={disabled}
                    onInput={(event) => {
                        draft.value = event.currentTarget.value;
                        const typed = event.currentTarget.valueAsNumber;
                        if (Number.isFinite(typed) && event.currentTarget.validity.rangeUnderflow === false &&
                            event.currentTarget.validity.rangeOverflow === false) set(typed);
+                   }}
+                   onKeyDown={(event) => {
+                       if ((event.key !== 'ArrowUp' && event.key !== 'ArrowDown') || event.altKey || event.ctrlKey || event.metaKey) return;
+                       event.preventDefault();
+                       draft.value = null;
+                       set(moved(value, (event.key === 'ArrowUp' ? 1 : -1) * step * (event.shiftKey ? 10 : 1), min, max));
                    }}
                    onBlur={() => {
                        draft.value = null;
