@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "wasm/api.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
@@ -80,6 +82,12 @@ struct GlintScene {
         }
         rays = result->rays;
         return true;
+    }
+    /// Why the picture cannot be compared; empty if it can.
+    std::string compare_fault() const {
+        if (!scene || !world) return "the scene has errors";
+        const std::int32_t width = scene->settings.width, height = scene->settings.height;
+        return std::int64_t{width} * height <= k_max_pixels ? "" : too_many_pixels(width, height);
     }
     static std::string to_text(const ordered_json& value) {
         return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
@@ -225,15 +233,30 @@ const char* glint_convert(GlintScene* scene) {
 }
 
 const char* glint_compare(GlintScene* scene, GlintScene* reference, std::int32_t with_causes) {
-    for (const GlintScene* one : {scene, reference}) {
-        if (!one->scene) continue;
-        const std::int32_t width = one->scene->settings.width, height = one->scene->settings.height;
-        if (std::int64_t{width} * height <= k_max_pixels) continue;
-        scene->answer = GlintScene::to_text({{"error", too_many_pixels(width, height)}});
-        return scene->answer.c_str();
+    std::string fault = scene->compare_fault();
+    if (fault.empty()) fault = reference->compare_fault();
+    const ordered_json answer =
+        !fault.empty() ? ordered_json{{"error", fault}}
+                       : glint::wasm::comparison(*scene->world, *reference->world,
+                                                 with_causes != 0 ? &*reference->scene : nullptr);
+    scene->answer = GlintScene::to_text(answer);
+    return scene->answer.c_str();
+}
+
+const char* glint_compare_picture(GlintScene* scene, const char* rgba, std::int32_t width,
+                                  std::int32_t height, std::int32_t with_causes) {
+    std::string fault = scene->compare_fault();
+    if (fault.empty()) {
+        const glint::RenderSettings& s = scene->scene->settings;
+        if (s.width != width || s.height != height)
+            fault = fmt::format("the picture has {}x{} pixels, and the scene's has {}x{}", width, height,
+                                s.width, s.height);
     }
-    scene->answer = GlintScene::to_text(glint::wasm::comparison(
-        scene->world, reference->world, with_causes != 0 && reference->scene ? &*reference->scene : nullptr));
+    const ordered_json answer = !fault.empty()
+                                    ? ordered_json{{"error", fault}}
+                                    : glint::wasm::comparison({rgba, width, height}, *scene->world,
+                                                              with_causes != 0 ? &*scene->scene : nullptr);
+    scene->answer = GlintScene::to_text(answer);
     return scene->answer.c_str();
 }
 

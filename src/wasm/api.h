@@ -78,6 +78,11 @@ const char* GLINT_WASM_EXPORT(glint_convert)(GlintScene* scene);
 const char* GLINT_WASM_EXPORT(glint_compare)(GlintScene* scene, GlintScene* reference,
                                              std::int32_t with_causes);
 
+/// The same of a picture that another program has drawn of the scene: width x height pixels, each with the
+/// bytes red, green, blue and alpha (which is not compared), row by row from the top.
+const char* GLINT_WASM_EXPORT(glint_compare_picture)(GlintScene* scene, const char* rgba, std::int32_t width,
+                                                     std::int32_t height, std::int32_t with_causes);
+
 /// The scene's likely mistakes as a JSON array (glint.d.mts, Finding); empty if the scene is not ready.
 const char* GLINT_WASM_EXPORT(glint_check)(GlintScene* scene);
 

@@ -578,6 +578,12 @@ export interface Scene {
      * pictures. Throws if one is not ready, or the sizes differ.
      */
     compare(reference: Scene, options?: {causes?: boolean}): Comparison;
+    /**
+     * Compares a picture of this scene that another program has drawn with glint's: `pixels` has the bytes red, green, blue and alpha
+     * (which is not compared) of each pixel, row by row from the top, as ImageData has. Causes take as long as some hundred pictures.
+     * Throws if the scene is not ready, or has another size.
+     */
+    comparePicture(picture: {pixels: Bytes | Uint8Array; width: number; height: number}, options?: {causes?: boolean}): Comparison;
     /** The scene's likely mistakes, which `glint check` prints. */
     check(): Finding[];
     /** The scene as .glint; empty if it is not ready. */

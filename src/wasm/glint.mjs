@@ -119,7 +119,11 @@ function checkStrings(value) {
 function withText(exports, request, use) {
     const text = typeof request === 'string' ? request : JSON.stringify(request);
     checkStrings(request);
-    const bytes = new TextEncoder().encode(text);
+    return withBytes(exports, new TextEncoder().encode(text), use);
+}
+
+/** Calls use() with the address and number of the bytes in the instance's memory. */
+function withBytes(exports, bytes, use) {
     const at = exports.glint_allocate(bytes.length + 1);
     if (at === 0) throw new Error('out of memory');
     new Uint8Array(exports.memory.buffer).set(bytes, at);
@@ -218,6 +222,15 @@ class Scene {
     compare(reference, {causes = false} = {}) {
         if (reference.#exports !== this.#exports) throw new TypeError('the reference is a scene of another instance');
         const comparison = this.#json(this.#exports.glint_compare(this.#handle, reference.#handle, causes ? 1 : 0));
+        if (comparison.error) throw new Error(comparison.error);
+        return comparison;
+    }
+
+    comparePicture({pixels, width, height}, {causes = false} = {}) {
+        const handle = this.#handle;
+        checkWhole({width, height});
+        if (!(pixels?.length === 4 * width * height)) throw new TypeError('pixels: expected four bytes for each of width x height pixels');
+        const comparison = this.#json(withBytes(this.#exports, pixels, (at) => this.#exports.glint_compare_picture(handle, at, width, height, causes ? 1 : 0)));
         if (comparison.error) throw new Error(comparison.error);
         return comparison;
     }

@@ -22,14 +22,8 @@ Json causes_json(const std::vector<Cause>& causes) {
     return list;
 }
 
-}  // namespace
-
-Json comparison(const std::optional<World>& world, const std::optional<World>& reference,
-                const Scene* faults) {
-    if (!world || !reference) return {{"error", "one of the scenes has errors"}};
-    const Result<Rendering> a = render(*world, {.threads = 1}), b = render(*reference, {.threads = 1});
-    if (!a || !b) return {{"error", a ? b.message : a.message}};
-    const Image picture = as_written(a->image, a->rule), wanted = as_written(b->image, b->rule);
+// Of a picture and the one that is wanted. faults: the scene of the latter, if causes are wanted.
+Json compared(const Image& picture, const Image& wanted, const Scene* faults) {
     const Result<PictureDifference> difference = compare(picture, wanted, {.threads = 1});
     if (!difference) return {{"error", difference.message}};
     const PixelCounts& all = difference->all;
@@ -53,6 +47,25 @@ Json comparison(const std::optional<World>& world, const std::optional<World>& r
     json["then"] = causes_json(report->then);
     json["where"] = report->where;
     return json;
+}
+
+}  // namespace
+
+Json comparison(const World& world, const World& reference, const Scene* faults) {
+    const Result<Rendering> a = render(world, {.threads = 1}), b = render(reference, {.threads = 1});
+    if (!a || !b) return {{"error", a ? b.message : a.message}};
+    return compared(as_written(a->image, a->rule), as_written(b->image, b->rule), faults);
+}
+
+Json comparison(const GivenPicture& picture, const World& world, const Scene* faults) {
+    const Result<Rendering> wanted = render(world, {.threads = 1});
+    if (!wanted) return {{"error", wanted.message}};
+    Image given = wanted->image;
+    for (std::size_t i = 0; i < given.rgb.size(); ++i) {
+        const auto byte = static_cast<std::uint8_t>(picture.rgba[i / 3 * 4 + i % 3]);
+        given.rgb[i] = static_cast<float>(byte) / 255.0F;
+    }
+    return compared(given, as_written(wanted->image, wanted->rule), faults);
 }
 
 Json findings(const Scene& scene, const std::vector<SceneText>& texts) {

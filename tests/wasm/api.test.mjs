@@ -279,7 +279,7 @@ test('a closed scene says so, and leaves the instance as it was', () => {
     scene.close();
     for (const use of [() => scene.report, () => scene.info, () => scene.render(0, 0, 1, 1), () => scene.renderPixels(0, 0, 1, 1),
                        () => scene.prepare({}), () => scene.explain(0, 0), () => scene.toGlint(), () => scene.check(),
-                       () => other.compare(scene)])
+                       () => other.compare(scene), () => scene.comparePicture({pixels: new Uint8Array(4), width: 1, height: 1})])
         assert.throws(use, /^Error: the scene is closed$/);
     assert.deepEqual(other.renderPixels(0, 0, 20, 20), before);
     other.close();
@@ -353,6 +353,21 @@ test('pictures are compared, and causes found', () => {
     const small = open(['cgfs/three_mirrors.cgfs'], {size: '50x60'}).scene;
     assert.throws(() => small.compare(reference), /./);
     for (const scene of [reference, other, small]) scene.close();
+});
+
+test('a picture of another program is compared, and causes found', () => {
+    const {scene} = open(['cgfs/three_mirrors.cgfs'], {size: '60x60'});
+    const text = read('cgfs/three_mirrors.cgfs').text;
+    const other = glint.open({texts: [{name: 'a.cgfs', text: text.replace(/light { type = ambient.*/, '')}], settings: {size: '60x60'}});
+    const {pixels} = other.renderPixels(0, 0, 60, 60), picture = {pixels, width: 60, height: 60};
+    assert.deepEqual(scene.comparePicture(picture, {causes: true}), other.compare(scene, {causes: true}));
+    assert.equal(scene.comparePicture({...picture, ...scene.renderPixels(0, 0, 60, 60)}).equal, 3600);
+    assert.equal(scene.comparePicture(picture, {causes: true}).causes[0].name, 'ambient-missing');
+    assert.throws(() => scene.comparePicture({pixels: pixels.subarray(0, 4 * 50 * 60), width: 50, height: 60}), /50x60 pixels, and the scene's has 60x60/);
+    assert.throws(() => scene.comparePicture({...picture, width: 61}), TypeError);
+    assert.throws(() => scene.comparePicture({...picture, width: 59.5, height: 60.5}), TypeError);
+    other.close();
+    scene.close();
 });
 
 test('likely mistakes are found, as natively', () => {

@@ -5,6 +5,7 @@ import {startPool} from './engine/start';
 import {embedded} from './store/embedded';
 import {followLessons, openLessonOf} from './store/learning';
 import {keepPage} from './store/memory';
+import {followOwnPicture} from './store/own';
 import {openFirst, openLink} from './store/scene';
 import {failure, services, state} from './store/state';
 import {App} from './ui/App';
@@ -19,6 +20,7 @@ try {
     if (!embedded) {
         keepPage();
         followLessons();
+        followOwnPicture();
     }
 } catch (error) {
     failure.value = `The engine could not be started: ${error instanceof Error ? error.message : String(error)}`;

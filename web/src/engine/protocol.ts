@@ -17,7 +17,9 @@ export type Task =
     | {what: 'explain'; x: number; y: number}
     | {what: 'convert'}
     /** Against the picture of another scene. */
-    | {what: 'compare'; reference: OpenRequest; causes: boolean};
+    | {what: 'compare'; reference: OpenRequest; causes: boolean}
+    /** A picture of the scene by another program, as ImageData has it. */
+    | {what: 'compare-picture'; pixels: Uint8ClampedArray<ArrayBuffer>; width: number; height: number; causes: boolean};
 
 /** One job. A worker keeps one open scene per view; `request` is sent if it has not opened `key` yet. */
 export interface Job {
@@ -56,6 +58,7 @@ export interface Answers {
     explain: Explanation | null;
     convert: string;
     compare: Comparison;
+    'compare-picture': Comparison;
 }
 
 /** broken: the instance ran out of memory or trapped; all its open scenes are lost. */

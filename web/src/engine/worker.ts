@@ -67,6 +67,7 @@ async function work(job: JobMessage): Promise<Answers[keyof Answers]> {
             reference.close();
         }
     }
+    if (task.what === 'compare-picture') return scene.comparePicture(task, {causes: task.causes});
     return tile(open, task.rect);
 }
 

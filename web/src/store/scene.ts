@@ -14,7 +14,7 @@ import {pinLater} from './pixels';
 import {
     type Comparison, currentDocumentState, comparison, comparisonFailure, documentId, fileName, history, hovered, includes, isFirstVisit, isSecondDone, givenChallenge, missing,
     services as page, notice,
-    overrides, pinned, pinnedIn, pixel, sceneName, skipsUnsupported, state, tab, text,
+    overrides, ownPicture, pinned, pinnedIn, pixel, sceneName, skipsUnsupported, state, tab, text,
 } from './state';
 
 function requestWith(extra: Record<string, string>): OpenRequest {
@@ -49,6 +49,7 @@ export function skipUnsupported(skips: boolean) {
 }
 
 export function setComparison(compare: Comparison | null) {
+    if (compare) ownPicture.value = null;
     comparison.value = compare;
     comparisonFailure.value = '';
     if (!compare) pinnedIn.value = {...pinnedIn.value, side: 'first'};
@@ -107,6 +108,7 @@ export function openScene(scene: StoredScene) {
     isFirstVisit.value = false;
     batch(() => {
         comparison.value = scene.compare ?? null;
+        ownPicture.value = null;
         comparisonFailure.value = '';
         pinned.value = null;
         hovered.value = null;
@@ -172,7 +174,7 @@ const ownName = (name: string) => name.split('/').at(-1)!;
  * Files were dropped: supplies those that the present scene includes and does not have; else opens the first scene, which may
  * include the other files.
  */
-export async function openFiles(files: File[]) {
+export async function openSceneFiles(files: File[]) {
     const read = await Promise.all(files.map(async (file) => ({name: file.name, text: await file.text()})));
     const supplied = missing.value.flatMap((name) => read.filter((file) => ownName(file.name) === ownName(name)).map(({text: found}) => ({name, text: found})));
     if (supplied.length > 0) {

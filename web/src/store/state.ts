@@ -46,6 +46,16 @@ export const comparisonFailure = signal('');
 export const difference = signal(false);
 export const split = signal(0.5);
 
+/** A picture of the scene by another program, which the user has dropped; it is shown as the right one. */
+export interface OwnPicture {name: string; image: ImageData}
+export const ownPicture = signal<OwnPicture | null>(null);
+/** Two pictures are shown: the names of both. */
+export const besides = computed(() => {
+    const compare = comparison.value, own = ownPicture.value;
+    if (own) return {left: 'glint', right: own.name};
+    return compare ? {left: `${compare.key} = ${compare.a}`, right: `${compare.key} = ${compare.b}`} : null;
+});
+
 /** One of the two pictures of a comparison; without a comparison there is only the first. */
 export type Side = 'first' | 'second';
 export const pixel = signal<[number, number] | null>(null);

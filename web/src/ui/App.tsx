@@ -2,7 +2,7 @@
 import {useEffect} from 'preact/hooks';
 
 import {savePicture} from '../files';
-import {openFiles} from '../store/scene';
+import {openFiles} from '../store/opening';
 import {isLarge} from '../store/space';
 import {services, pinned, tab} from '../store/state';
 import {stepBy} from '../store/stepping';

@@ -6,6 +6,7 @@ import {setComparison} from '../store/scene';
 import {comparison, comparisonFailure, difference, info, settingOf, split} from '../store/state';
 import {wordsOf} from './Controls';
 import {Choice, Switch, TextField} from './fields';
+import {Own} from './Own';
 import {canvases, firstDone, pixelsOf, secondDone} from './pictures';
 
 const presets = [
@@ -66,11 +67,32 @@ export function Difference() {
     );
 }
 
+/** Whether the pictures or their difference is shown, and the border between them. */
+function ViewOfBoth() {
+    return (
+        <>
+            <Switch label="Show the difference" on={difference.value} set={(on) => {
+                difference.value = on;
+            }} />
+            {!difference.value && (
+                <div class="slider">
+                    <label for="split">Border</label>
+                    <input id="split" type="range" min={0} max={1} step={0.005} value={split.value}
+                           onInput={(event) => {
+                               split.value = event.currentTarget.valueAsNumber;
+                           }} />
+                </div>
+            )}
+        </>
+    );
+}
+
 export function Compare() {
     const compare = comparison.value;
     if (!info.value) return <p class="note">No scene yet.</p>;
     return (
         <>
+            <Own view={<ViewOfBoth />} />
             <section>
                 <h2>Two renderings of one scene</h2>
                 <div class="presets">
@@ -88,18 +110,7 @@ export function Compare() {
                         <Value name={compare.key} label="Left" value={compare.a} set={(a) => setComparison({...compare, a})} />
                         <Value name={compare.key} label="Right" value={compare.b} set={(b) => setComparison({...compare, b})} />
                         {comparisonFailure.value && <p class="message error" role="alert">Right: {comparisonFailure.value}</p>}
-                        <Switch label="Show the difference" on={difference.value} set={(on) => {
-                            difference.value = on;
-                        }} />
-                        {!difference.value && (
-                            <div class="slider">
-                                <label for="split">Border</label>
-                                <input id="split" type="range" min={0} max={1} step={0.005} value={split.value}
-                                       onInput={(event) => {
-                                           split.value = event.currentTarget.valueAsNumber;
-                                       }} />
-                            </div>
-                        )}
+                        <ViewOfBoth />
                         <button class="button" onClick={() => setComparison(null)}>End the comparison</button>
                     </>
                 )}

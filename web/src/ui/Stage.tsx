@@ -8,7 +8,7 @@ import {layout} from '../store/layout';
 import {reveal} from '../store/places';
 import {isLarge} from '../store/space';
 import {
-    comparison, comparisonFailure, diagnostics, difference, failure, hovered, info, isPictureOfScene, isSecondDone, notice, pinned, pixel, progress, size, split, state,
+    besides, comparisonFailure, diagnostics, difference, failure, hovered, info, isPictureOfScene, isSecondDone, notice, ownPicture, pinned, pixel, progress, size, split, state,
 } from '../store/state';
 import {cameraNow, moveCamera, resetCamera} from '../store/viewpoint';
 import {Difference} from './Compare';
@@ -79,6 +79,20 @@ function CameraButtons() {
     );
 }
 
+/** The pixel in the user's own picture. */
+function OwnPixel({at: [x, y]}: {at: readonly [number, number]}) {
+    const image = ownPicture.value?.image;
+    if (!image || x >= image.width || y >= image.height) return null;
+    const [r, g, b] = image.data.subarray(4 * (y * image.width + x));
+    return (
+        <>
+            <span>yours</span>
+            <span class="swatch" style={{background: hex([r!, g!, b!])}} aria-hidden="true" />
+            <span class="mono">{r} {g} {b}</span>
+        </>
+    );
+}
+
 function PixelLine() {
     const explanation = hovered.value ?? pinned.value;
     if (!explanation) return <p class="pixel-line" aria-live="polite">Point at the picture; click a pixel to take it apart; drag to turn the camera, with Shift to shift it.</p>;
@@ -88,6 +102,7 @@ function PixelLine() {
             <span class="mono">({explanation.pixel.join(', ')})</span>
             <span class="swatch" style={{background: hex(explanation.bytes)}} aria-hidden="true" />
             <span class="mono">{explanation.bytes.join(' ')}</span>
+            <OwnPixel at={explanation.pixel} />
             {hit ? <>
                 <button class="link" onClick={() => reveal(hit.shape)}>{itemName(hit.shape)}</button>
                 <span class="mono faint">({hit.point.map((c) => Number(c.toPrecision(4))).join(', ')})</span>
@@ -144,7 +159,7 @@ export function Stage() {
     useWheel(frame);
     const pointers = usePointers(frame);
     const shown = fit(box.value, size.value);
-    const compare = comparison.value;
+    const beside = besides.value;
     const [x, y] = pixel.value ?? [-1, -1];
     const percent = (n: number, of: number) => `${(100 * n) / of}%`;
     return (
@@ -157,18 +172,18 @@ export function Stage() {
                     aria-label="Picture. Arrow keys point at a pixel, Enter explains it, S saves."
                     style={{width: `${shown.width}px`, height: `${shown.height}px`}} onKeyDown={keyPressed} {...pointers}
                 >
-                    <Canvas canvas={canvases.first} label={compare ? `${compare.key} = ${compare.a}` : 'The rendered scene'} />
-                    {compare && !difference.value && (
+                    <Canvas canvas={canvases.first} label={beside?.left ?? 'The rendered scene'} />
+                    {beside && !difference.value && (
                         <>
                             <div class="right-half" data-complete={isSecondDone.value} style={{clipPath: `inset(0 0 0 ${100 * split.value}%)`}}>
-                                <Canvas canvas={canvases.second} label={`${compare.key} = ${compare.b}`} />
+                                <Canvas canvas={canvases.second} label={beside.right} />
                             </div>
                             <Border frame={frame} />
-                            <span class="tag left">{compare.key} = {compare.a}</span>
-                            <span class="tag right">{compare.key} = {compare.b}{comparisonFailure.value && ': not rendered'}</span>
+                            <span class="tag left">{beside.left}</span>
+                            <span class="tag right">{beside.right}{comparisonFailure.value && ': not rendered'}</span>
                         </>
                     )}
-                    {compare && difference.value && <Difference />}
+                    {beside && difference.value && <Difference />}
                     {!isPictureOfScene.value && state.value === 'error' && <p class="no-picture">There is no picture: the text has errors.</p>}
                     <RayLines />
                     {pixel.value && pinned.value?.pixel.join() !== pixel.value.join() && (

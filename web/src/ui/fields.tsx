@@ -4,7 +4,7 @@ import {useSignal} from '@preact/signals';
 import type {ComponentChildren} from 'preact';
 import {useId} from 'preact/hooks';
 
-import {openFiles} from '../store/scene';
+import {openFiles} from '../store/opening';
 import {services} from '../store/state';
 
 /** `name`: the setting's key, shown beside the label. */

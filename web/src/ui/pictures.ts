@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The canvases of the two pictures; applies the events of the engine's views to them and to the page's state.
-import {batch, signal} from '@preact/signals';
+import {batch, effect, signal} from '@preact/signals';
 
 import type {Pool} from '../engine/pool';
 import type {Opened, Rect} from '../engine/protocol';
@@ -8,7 +8,7 @@ import {place} from '../engine/levels';
 import {type ViewContent, View, type ViewEvents} from '../engine/view';
 import {explainAgain} from '../store/pixels';
 import {wasOpened} from '../store/viewpoint';
-import {comparison, comparisonFailure, diagnostics, failure, hovered, info, isSecondDone, missing, pinned, services, progress, shownId, size, state} from '../store/state';
+import {comparison, comparisonFailure, diagnostics, failure, hovered, info, isSecondDone, missing, ownPicture, pinned, services, progress, shownId, size, state} from '../store/state';
 
 export const canvases = {first: document.createElement('canvas'), second: document.createElement('canvas')};
 /** The number of completed second pictures, for the difference. */
@@ -143,6 +143,20 @@ export function connectViews(pool: Pool) {
             if (comparison.value) comparisonFailure.value = why;
         },
     };
+    effect(() => {
+        const own = ownPicture.value;
+        if (!own) return;
+        const {second: canvas} = canvases, {width, height} = own.image;
+        canvas.width = width;
+        canvas.height = height;
+        canvas.getContext('2d')!.putImageData(own.image, 0, 0);
+        straight.delete(canvas);
+        batch(() => {
+            isSecondDone.value = true;
+            comparisonFailure.value = '';
+            secondDone.value = secondDone.peek() + 1;
+        });
+    });
     services.first = new View(pool, 'first', first);
     services.second = new View(pool, 'second', second);
 }
