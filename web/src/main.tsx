@@ -3,10 +3,11 @@ import {render} from 'preact';
 
 import {startPool} from './engine/start';
 import {embedded} from './store/embedded';
-import {followLessons, openLessonOf} from './store/learning';
+import {type Entry, placeOf} from './store/address';
+import {addressChanged, followLessons, goToPlace, resume} from './store/learning';
 import {keepPage} from './store/memory';
 import {followOwnPicture} from './store/own';
-import {openFirst, openLink} from './store/scene';
+import {openFirst} from './store/scene';
 import {failure, services, state} from './store/state';
 import {App} from './ui/App';
 import {Embed} from './ui/Embed';
@@ -16,7 +17,8 @@ render(embedded ? <Embed /> : <App />, document.getElementById('app')!);
 try {
     services.pool = await startPool();
     connectViews(services.pool);
-    if (!await openLessonOf(location.hash)) await openFirst();
+    const isOpen = await openFirst(), place = placeOf(location.hash);
+    if (place) await (isOpen ? resume(place) : goToPlace(place));
     if (!embedded) {
         keepPage();
         followLessons();
@@ -26,9 +28,7 @@ try {
     failure.value = `The engine could not be started: ${error instanceof Error ? error.message : String(error)}`;
     state.value = 'error';
 }
-addEventListener('hashchange', async () => {
-    if (location.hash !== '' && !await openLessonOf(location.hash)) await openLink(location.hash);
-});
+addEventListener('popstate', ({state: entry}) => void addressChanged(entry as Entry | null));
 if (import.meta.env.PROD && 'serviceWorker' in navigator) {
     navigator.serviceWorker.register('./sw.js').catch(() => {
         // Without the service worker, the page needs its server the next time it is opened.

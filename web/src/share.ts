@@ -14,6 +14,10 @@ export interface StoredScene {
 }
 
 export interface Shared extends StoredScene {
+    /** The pixel that is explained, the ray that is shown of it, and the open panel. */
+    pixel?: [number, number] | undefined;
+    step?: number | undefined;
+    tab?: string | undefined;
     /** A challenge of a teacher: make this scene's picture equal to the target's. */
     challenge?: SharedChallenge | undefined;
 }
@@ -86,7 +90,7 @@ function checkedChallenge(value: unknown): SharedChallenge | undefined {
 /** A link may come from anyone: only values of the right types are accepted. */
 export function checkedScene(value: unknown): Shared | null {
     if (typeof value !== 'object' || value === null) return null;
-    const {name, text, scene, includes, overrides, compare, challenge} = value as Record<string, unknown>;
+    const {name, text, scene, includes, overrides, compare, challenge, pixel, step, tab} = value as Record<string, unknown>;
     if (typeof name !== 'string' || typeof text !== 'string') return null;
     const strings = (o: unknown): o is Record<string, string> =>
         typeof o === 'object' && o !== null && Object.values(o).every((v) => typeof v === 'string');
@@ -101,5 +105,8 @@ export function checkedScene(value: unknown): Shared | null {
             ? (compare as {key: string; a: string; b: string})
             : undefined,
         challenge: checkedChallenge(challenge),
+        pixel: Array.isArray(pixel) && pixel.length === 2 && pixel.every((c) => Number.isInteger(c) && c >= 0) ? (pixel as [number, number]) : undefined,
+        step: Number.isInteger(step) && (step as number) >= 0 ? (step as number) : undefined,
+        tab: typeof tab === 'string' ? tab : undefined,
     };
 }

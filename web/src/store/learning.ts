@@ -3,12 +3,15 @@
 import {effect, signal} from '@preact/signals';
 import type {Comparison, OpenRequest} from 'glint-wasm';
 
+import {gallery} from '../gallery';
 import {examine} from '../learn/checks';
+import {solutionOf} from '../learn/solution';
 import type {Challenge, Lesson} from '../learn/types';
+import {type Entry, type Place, arrive, galleryName, keepForBack, placeOf, setAddress} from './address';
 import {forgetHints} from './hints';
-import {openScene, presentRequest} from './scene';
+import {openBookScene, openLink, openScene, presentRequest} from './scene';
 import {
-    documentId, givenChallenge, info, isFirstVisit, overrides, pinned, services, shownId, size, state, tab, text,
+    documentId, givenChallenge, info, isFirstVisit, notice, overrides, pinned, services, shownId, size, state, tab, text,
 } from './state';
 
 /** Loaded when they are first needed. */
@@ -56,32 +59,82 @@ export async function loadLessons() {
     challenges.value = second.challenges;
 }
 
-export async function openLesson(id: string) {
+/** Opens a lesson at a step, whose scene is as the steps before have left it. */
+export async function openLesson(id: string, number = 0) {
     await loadLessons();
     const found = lessons.value.find((one) => one.id === id) ?? lessons.value[0]!;
-    leave();
-    openScene(found.scene);
-    lesson.value = found;
-    step.value = 0;
-    verdict.value = null;
-    tab.value = 'learn';
+    const at = Math.min(number, found.steps.length - 1);
+    keepForBack();
+    end();
+    const scene = found.steps[at]!.scene ?? found.scene;
+    openScene(at > 0 && !found.steps[at]!.scene ? {...scene, text: solutionOf(found, at - 1).text} : scene);
+    showLesson(found, at);
 }
 
-/** Opens the lesson of an address, `#lesson=01_ambient`; false if it is the address of none. */
-export async function openLessonOf(hash: string): Promise<boolean> {
-    const id = /^#lesson=(\w+)$/.exec(hash)?.[1];
-    if (id === undefined) return false;
-    history.replaceState(null, '', location.pathname + location.search);  // a reload then keeps what has been done
-    await openLesson(id);
-    return true;
+function showLesson(found: Lesson, number: number) {
+    lesson.value = found;
+    step.value = number;
+    verdict.value = null;
+    tab.value = 'learn';
+    setAddress({what: 'lesson', id: found.id, step: number});
+}
+
+/** Back, forward, or another fragment of the address. */
+export const addressChanged = (entry: Entry | null) => arrive(async () => {
+    const {hash} = location, place = placeOf(hash);
+    if (entry?.scene) {
+        openScene(entry.scene);
+        end();
+        if (place) await resume(place);
+    } else if (place) {
+        await goToPlace(place);
+    } else if (hash !== '') {
+        await openLink(hash);
+    } else {
+        end();
+        openBookScene();
+    }
+});
+
+/** Goes to what an address stands for. */
+export async function goToPlace(place: Place) {
+    if (place.what === 'challenge') {
+        await openChallenge(place.id);
+    } else if (place.what === 'scene') {
+        const scene = gallery.find((one) => galleryName(one) === place.name);
+        end();
+        if (scene) openScene(scene);
+        else notice.value = `There is no scene ${place.name}.`;
+    } else if (lesson.value?.id === place.id && lesson.value.steps[place.step]) {
+        goToStep(place.step);
+    } else {
+        await openLesson(place.id, place.step);
+    }
+}
+
+/** After a reload: the lesson or challenge is open again, beside the scene as it was. */
+export async function resume(place: Place) {
+    if (place.what === 'scene') return;
+    await loadLessons();
+    const {id} = place;
+    if (place.what === 'challenge') {
+        const found = challenges.value.find((one) => one.id === id);
+        if (found) begin(found);
+        return;
+    }
+    const found = lessons.value.find((one) => one.id === id);
+    if (found?.steps[place.step]) showLesson(found, place.step);
 }
 
 export function goToStep(number: number) {
-    const scene = lesson.value?.steps[number]?.scene;
+    const now = lesson.value, scene = now?.steps[number]?.scene;
+    if (!now) return;
+    keepForBack();
     if (scene) openScene(scene);
     pinned.value = null;  // of the step before
     verdict.value = null;
     step.value = number;
+    setAddress({what: 'lesson', id: now.id, step: number});
 }
 
 function begin(wanted: Challenge & {overrides?: Record<string, string> | undefined}) {
@@ -96,14 +149,24 @@ function begin(wanted: Challenge & {overrides?: Record<string, string> | undefin
 export async function openChallenge(id: string) {
     await loadLessons();
     const found = challenges.value.find((one) => one.id === id) ?? challenges.value[0]!;
-    leave();
+    keepForBack();
+    end();
     openScene({name: found.name, text: found.start});
     begin(found);
+    setAddress({what: 'challenge', id: found.id});
 }
 
-export function leave() {
+/** Ends the lesson or challenge; the scene stays. */
+function end() {
     lesson.value = null;
     challenge.value = null;
+}
+
+/** Back to the list of lessons and challenges. */
+export function leave() {
+    keepForBack();
+    end();
+    setAddress(null);
 }
 
 /** The request that opens a challenge's target. */

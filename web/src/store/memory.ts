@@ -7,12 +7,13 @@ import {gallery, parts} from '../gallery';
 import type {StoredScene} from '../share';
 import {pixelToKeep} from './pixels';
 import {
-    type Tab, comparison, fileName, includes, overrides, pinned, sceneName, tab, text,
+    type Tab, comparison, fileName, includes, overrides, pinned, sceneName, step, tab, text,
 } from './state';
 
 interface KeptPage extends StoredScene {
     tab: Tab;
     pixel?: [number, number] | undefined;
+    step?: number | undefined;
     /** The address's fragment then: another one is another scene. */
     hash: string;
 }
@@ -78,13 +79,13 @@ export function keepPage() {
     const keep = () => {
         clearTimeout(timer);
         timer = 0;
-        const page: KeptPage = {...presentScene(), tab: tab.value, pixel: pixelToKeep(), hash: location.hash};
+        const page: KeptPage = {...presentScene(), tab: tab.value, pixel: pixelToKeep(), step: step.value ?? undefined, hash: location.hash};
         write('sessionStorage', pageKey, page);
         write('localStorage', pageKey, page);
     };
     effect(() => {
         presentScene();
-        void [tab.value, pinned.value];
+        void [tab.value, pinned.value, step.value];
         timer ||= window.setTimeout(keep, 400);
     });
     addEventListener('pagehide', keep);

@@ -49,7 +49,7 @@ export async function hover(at: [number, number] | null) {
 const isPhong = (side: Side) => settingIn(services[side]?.current?.info, 'shading')?.value === 'phong';
 
 /** A pixel to be pinned in the next picture; `opens`: the user has clicked it, which opens the inspector. */
-let pinNext: {at: [number, number]; opens: boolean} | null = null;
+let pinNext: {at: [number, number]; opens: boolean; ray: number | null} | null = null;
 let pins = 0;
 /** The pixel whose explanation is awaited, to be pinned. */
 let awaited: [number, number] | null = null;
@@ -58,7 +58,7 @@ let awaited: [number, number] | null = null;
 export const pixelToKeep = () => pinned.value?.pixel ?? awaited ?? pinNext?.at;
 
 /** Explains a pixel and keeps its explanation. While the picture is replaced, this waits for the next one. */
-export async function pin(at: [number, number] | null, opens = true) {
+export async function pin(at: [number, number] | null, opens = true, ray: number | null = null) {
     const number = ++pins;
     pinNext = null;
     awaited = at;
@@ -71,21 +71,21 @@ export async function pin(at: [number, number] | null, opens = true) {
     if (number !== pins) return;  // another pixel was pinned meanwhile
     awaited = null;
     if (!explanation) {
-        pinNext = {at, opens};
+        pinNext = {at, opens, ray};
         return;
     }
     batch(() => {
         pinned.value = explanation;
         pinnedIn.value = {side, isPhong: isPhong(side)};
         selected.value = {ray: 0, light: strongestLight(explanation, 0)};
-        step.value = null;
+        step.value = ray;
         if (opens) tab.value = 'inspect';
     });
 }
 
-/** Pins a pixel as soon as the picture is complete. */
-export function pinLater(at: [number, number]) {
-    pinNext = {at, opens: false};
+/** Pins a pixel as soon as the picture is complete. ray: the step through its rays that is shown then. */
+export function pinLater(at: [number, number], ray: number | null = null) {
+    pinNext = {at, opens: false, ray};
 }
 
 /** A picture changed: explains its pixels again. */
@@ -93,10 +93,10 @@ export async function explainAgain(side: Side) {
     if (pixel.value && sideAt(pixel.value) === side) void hover(pixel.value);
     const facts = services[side]?.current?.info;
     if (pinNext && facts && side === 'first') {
-        const {at: [x, y], opens} = pinNext;
+        const {at: [x, y], opens, ray} = pinNext;
         pinNext = null;
         if (x < facts.width && y < facts.height) {
-            await pin([x, y], opens);
+            await pin([x, y], opens, ray);
             return;
         }
     }

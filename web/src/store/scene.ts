@@ -4,17 +4,18 @@ import {batch} from '@preact/signals';
 import type {OpenRequest} from 'glint-wasm';
 
 import {type DocumentState, longestLine, tooLongLine} from '../editor/editor';
-import {gallery, parts} from '../gallery';
+import {type GalleryScene, gallery, parts} from '../gallery';
 import {type Shared, type SharedChallenge, type StoredScene, fromFragment, toFragment} from '../share';
 import {extensions, formatOf} from '../text/formats';
+import {galleryName, keepForBack, placeOf, setAddress} from './address';
 import {embedded} from './embedded';
 import {forgetLights} from './lights';
 import {keptPage, presentScene, remember} from './memory';
 import {pinLater} from './pixels';
 import {
-    type Comparison, currentDocumentState, comparison, comparisonFailure, documentId, fileName, history, hovered, includes, isFirstVisit, isSecondDone, givenChallenge, missing,
+    type Comparison, currentDocumentState, comparison, comparisonFailure, documentId, fileName, history, hovered, includes, isFirstVisit, isSecondDone, givenChallenge, isTab, missing,
     services as page, notice,
-    overrides, ownPicture, pinned, pinnedIn, pixel, sceneName, skipsUnsupported, state, tab, text,
+    overrides, ownPicture, pinned, pinnedIn, pixel, sceneName, skipsUnsupported, state, step, tab, text,
 } from './state';
 
 function requestWith(extra: Record<string, string>): OpenRequest {
@@ -124,27 +125,36 @@ export function openScene(scene: StoredScene) {
     render();
 }
 
+/** A scene of the gallery, whose address it gets. */
+export function openGalleryScene(scene: GalleryScene) {
+    keepForBack();
+    openScene(scene);
+    setAddress({what: 'scene', name: galleryName(scene)});
+}
+
 const bookScene = () => gallery.find((scene) => scene.name === 'cgfs/three_mirrors.cgfs')!;
 
 export const openBookScene = () => openScene(bookScene());
 
-/** The scene of the address; without one the page as it was, or the scene of the book. */
-export async function openFirst() {
+/** Opens the scene of the address; without one the page as it was, or the scene of the book. False: the address is a place of address.ts. */
+export async function openFirst(): Promise<boolean> {
     const kept = embedded ? null : keptPage();  // another page shall not see the user's scenes
     const {hash} = location;
     if (kept && (hash === '' || hash === kept.hash) && tooLongLine(kept.text) === 0) {
         tab.value = kept.tab;
         openScene(kept);
-        if (kept.pixel) pinLater(kept.pixel);
-        return;
+        if (kept.pixel) pinLater(kept.pixel, kept.step ?? null);
+        return true;
     }
     if (kept) remember(kept);
+    if (placeOf(hash)) return false;
     if (hash === '') {
         openBookScene();
         isFirstVisit.value = !kept;
     } else {
         await openLink(hash);
     }
+    return true;
 }
 
 /** The address was changed to another link. */
@@ -152,6 +162,8 @@ export async function openLink(hash: string) {
     const shared = await fromFragment(hash);
     const isScene = typeof shared === 'object' && shared !== null && tooLongLine(shared.text) === 0;
     if (isScene || fileName.value === '') openScene(isScene ? shared : bookScene());
+    if (isScene && isTab(shared.tab)) tab.value = shared.tab;
+    if (isScene && shared.pixel) pinLater(shared.pixel, shared.step ?? null);
     if (isScene && shared.challenge) givenChallenge.value = {...shared.challenge, name: shared.name, start: shared.text};
     if (isScene) return;
     const why = typeof shared === 'string' ? shared : shared ? `The scene of the link has a line of more than ${longestLine} characters.` : 'The link contains no scene.';
@@ -161,6 +173,7 @@ export async function openLink(hash: string) {
 /** The address of the present scene, or of a challenge that starts with it. */
 export async function link(challenge?: SharedChallenge): Promise<string> {
     const shared: Shared = {...presentScene(), challenge};
+    if (!challenge) Object.assign(shared, {tab: tab.value, pixel: pinned.value?.pixel, step: step.value ?? undefined});
     const url = new URL(location.href);
     url.search = '';  // of the whole page
     url.hash = await toFragment(shared);
@@ -187,7 +200,9 @@ export async function openSceneFiles(files: File[]) {
         notice.value = `Not a scene: ${files.map((file) => shortName(file.name)).join(', ')}. Scenes end in .${extensions.join(', .')}.`;
         return;
     }
+    keepForBack();
     openScene({...main, includes: read.filter((file) => file !== main)});
+    setAddress(null);
 }
 
 let conversions = 0;

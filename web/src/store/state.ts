@@ -67,7 +67,9 @@ export const pinnedIn = signal<{side: Side; isPhong: boolean}>({side: 'first', i
 export const selected = signal<{ray: number; light: number}>({ray: 0, light: 0});
 /** The step through the rays of the pinned pixel (stepping.ts); null: all rays are shown. */
 export const step = signal<number | null>(null);
-export type Tab = 'learn' | 'text' | 'controls' | 'inspect' | 'compare';
+const tabs = ['learn', 'text', 'controls', 'inspect', 'compare'] as const;
+export type Tab = (typeof tabs)[number];
+export const isTab = (name: unknown): name is Tab => tabs.some((one) => one === name);
 export const tab = signal<Tab>('controls');
 /** The challenge of the link that was opened. */
 export const givenChallenge = signal<(SharedChallenge & {name: string; start: string}) | null>(null);

@@ -6,7 +6,8 @@ import {commandLine} from '../command';
 import {savePicture, saveScene} from '../files';
 import {gallery} from '../gallery';
 import {presentScene, recent} from '../store/memory';
-import {link, openScene} from '../store/scene';
+import {keepForBack, setAddress} from '../store/address';
+import {link, openGalleryScene, openScene} from '../store/scene';
 import {fileName, history, info, services, notice, sceneName, text} from '../store/state';
 import {FileButton} from './fields';
 import {canvases} from './pictures';
@@ -47,7 +48,7 @@ function SceneMenu() {
                                         key={title(scene)} class="thumb" data-scene={scene.scene ?? scene.id ?? scene.name}
                                         aria-current={scene.name === fileName.value && scene.scene === sceneName.value}
                                         onClick={() => {
-                                            openScene(scene);
+                                            openGalleryScene(scene);
                                             dialog.current?.close();
                                         }}
                                     >
@@ -73,7 +74,9 @@ function Recent({done}: {done: () => void}) {
             <div class="presets">
                 {recent.value.map((scene) => (
                     <button key={scene.name + (scene.scene ?? '')} class="button recent" title={scene.name} onClick={() => {
+                        keepForBack();
                         openScene(scene);
+                        setAddress(null);
                         done();
                     }}>{scene.name.split('/').at(-1)}</button>
                 ))}
@@ -122,7 +125,7 @@ function Theme() {
 export function Header() {
     return (
         <header class="header">
-            <h1 class="brand"><img src="./icon.svg" alt="" width={22} height={22} />glint</h1>
+            <h1 class="brand"><a href="#scene=cgfs/three_mirrors.cgfs" title="The first scene"><img src="./icon.svg" alt="" width={22} height={22} />glint</a></h1>
             <SceneMenu />
             <span class="file-name" title={fileName.value}>{fileName.value.split('/').at(-1)}{sceneName.value ? `: ${sceneName.value}` : ''}</span>
             <div class="group" role="group" aria-label="History">
