@@ -2,14 +2,16 @@
 import {createHash} from 'node:crypto';
 import {defineConfig, type Plugin} from 'vite';
 
-/** Writes sw.js: a service worker that keeps exactly the files of this build, so that the page opens without a network. */
+/** Writes sw.js: a service worker that keeps the files of this build, so that the page opens without a network. */
 function offline(): Plugin {
     return {
         name: 'offline',
         apply: 'build',
         generateBundle(_, bundle) {
-            const files = ['./', ...Object.keys(bundle), 'icon.svg'].filter((name) => !name.endsWith('.map'));
-            const digest = createHash('sha256').update(files.join()).digest('hex').slice(0, 12);
+            // The gallery's thumbnails are kept when they are first seen.
+            const all = ['./', ...Object.keys(bundle), 'icon.svg'].filter((name) => !name.endsWith('.map'));
+            const files = all.filter((name) => !name.endsWith('.png'));
+            const digest = createHash('sha256').update(all.join()).digest('hex').slice(0, 12);
             const source = `const cacheName = 'glint-${digest}';
 const files = ${JSON.stringify(files)};
 addEventListener('install', (event) => event.waitUntil(
@@ -18,7 +20,12 @@ addEventListener('activate', (event) => event.waitUntil(caches.keys().then((name
     Promise.all(names.filter((name) => name.startsWith('glint-') && name !== cacheName).map((name) => caches.delete(name))))));
 addEventListener('fetch', (event) => {
     if (event.request.method === 'GET')
-        event.respondWith(caches.match(event.request, {ignoreSearch: true}).then((kept) => kept ?? fetch(event.request)));
+        event.respondWith(caches.match(event.request, {ignoreSearch: true}).then(async (kept) => {
+            if (kept) return kept;
+            const found = await fetch(event.request);
+            if (found.ok && event.request.url.endsWith('.png')) await (await caches.open(cacheName)).put(event.request, found.clone());
+            return found;
+        }));
 });
 `;
             this.emitFile({type: 'asset', fileName: 'sw.js', source});

@@ -5,7 +5,7 @@ import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
 
-import {address, book, byCommand, choose, drop, native, picture, saved, sceneText, scenes, settled, withPage} from './browser.mjs';
+import {address, book, byCommand, choose, drop, native, picture, saved, sceneText, scenes, settled, shoot, withPage} from './browser.mjs';
 
 test('a link holds the scene and its settings', () => withPage(async (page, context) => {
     await choose(page, 'epfl/castle.json');
@@ -110,7 +110,7 @@ test('dropped files are opened: the first scene, and what it includes', () => wi
     assert.equal(await page.locator('.file-name').innerText(), 'main.glint');
 }));
 
-test('nothing is fetched after the page is loaded, and only from itself before', () => withPage(async (page, context) => {
+test('nothing but thumbnails is fetched after the page is loaded, and all only from itself', () => withPage(async (page) => {
     const requests = [];
     await page.goto('about:blank');
     page.on('request', (request) => requests.push(request.url()));
@@ -119,17 +119,34 @@ test('nothing is fetched after the page is loaded, and only from itself before',
     assert.ok(requests.every((url) => url.startsWith(address) || url.startsWith('data:')), requests.join(' '));
     assert.ok(requests.some((url) => url.endsWith('.wasm')));
     // What the browser fetches when it is idle.
-    await page.waitForFunction(() => ['lessons', 'challenges', 'SpaceView', 'RayLines'].every((name) => performance.getEntriesByType('resource').some((one) => one.name.includes(`/${name}-`))));
+    await page.waitForFunction(() => ['lessons', 'challenges', 'help', 'SpaceView', 'RayLines'].every((name) => performance.getEntriesByType('resource').some((one) => one.name.includes(`/${name}-`))));
     await page.waitForLoadState('networkidle');
-    const loaded = requests.length;
-    await context.setOffline(true);
+    const loaded = requests.length, isThumbnail = (url) => url.startsWith(`${address}assets/`) && url.endsWith('.png');
+    assert.equal(requests.filter(isThumbnail).length, 0, 'before the gallery is opened');
     await choose(page, 'glint/temple.glint');
     await page.getByRole('tab', {name: 'Inspect'}).click();
     await page.locator('.frame').click();
     await page.locator('.inspector').waitFor();
     await page.getByRole('button', {name: 'Share link'}).click();
-    assert.deepEqual(requests.slice(loaded).filter((url) => !url.startsWith('data:')), []);
-    await context.setOffline(false);
+    await page.getByRole('button', {name: 'Help'}).click();
+    await page.locator('.help-text table').first().waitFor();
+    const later = requests.slice(loaded).filter((url) => !url.startsWith('data:'));
+    assert.deepEqual(later.filter((url) => !isThumbnail(url)), []);
+    assert.ok(later.length > 4, 'the gallery shows them');
+}));
+
+test('the help has the keys, and the words of each format', () => withPage(async (page) => {
+    await page.getByRole('button', {name: 'Help'}).click();
+    const text = page.locator('.help-text');
+    await text.getByText('Ctrl+Shift+Z').waitFor();
+    for (const [topic, word] of [['.glint', 'look_at'], ['.cgfs •', 'reflective'], ['POV-Ray', 'texture_list'], ['Conventions', 'specular_gate']]) {
+        await page.getByRole('button', {name: topic, exact: true}).click();
+        await text.getByText(word).first().waitFor();
+        assert.equal(await text.locator('a').count(), 0);
+    }
+    await shoot(page, 'help.png');
+    await page.locator('.help').getByRole('button', {name: 'Lessons'}).click();
+    await page.locator('.learn-list').first().waitFor();
 }));
 
 test('once loaded, the page opens without its server', () => withPage(async (page, context) => {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Creates src/lessons/: the lessons of ../docs/lessons as HTML, with formulas as MathML, and the challenges of challenges/.
+// Creates src/lessons/: the lessons of ../docs/lessons as HTML, with formulas as MathML, the challenges of challenges/, and the help:
+// documents of ../docs.
 // docs/lessons/README.md describes the syntax of a lesson.
 import {mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
@@ -62,6 +63,19 @@ function challenge(file) {
     return {id: file.replace(/\.\w+$/, ''), task: task.replace(/^#\s*/, ''), name: file, target, start, ...(checks.length > 0 ? {checks} : {})};
 }
 
+/** Documents that the page's help shows, and the heading from which on. Their links lead to other documents, which the page does not have. */
+const documents = [
+    ['guide', 'Guide and keys', 'playground.md', 'What it does'], ['glint', '.glint', 'formats/glint.md'], ['cgfs', '.cgfs', 'formats/cgfs.md'],
+    ['epfl', 'RT2’s .json', 'formats/epfl.md'], ['csc473', 'CSC 473’s .pov', 'formats/csc473.md'], ['povray', 'POV-Ray', 'formats/povray.md'],
+    ['tachyon', 'Tachyon', 'formats/tachyon.md'], ['nff', '.nff', 'formats/nff.md'], ['conventions', 'Conventions', 'conventions.md'],
+];
+function topic([id, title, file, from]) {
+    const markdown = readFileSync(join(lessons, '..', file), 'utf8');
+    const text = from ? markdown.slice(markdown.indexOf(`## ${from}`)) : markdown;
+    const html = marked.parse(text).replace(/<a [^>]*>|<\/a>|<img[^>]*>/g, '').replace(/<(\/?)h1/g, '<$1h2');
+    return {id, title, html};
+}
+
 const list = readdirSync(lessons).filter((file) => /^\d.*\.md$/.test(file)).sort().map(lesson);
 const pictures = readdirSync(challenges).sort().map(challenge);
 rmSync(out, {recursive: true, force: true});
@@ -70,4 +84,5 @@ const data = (name, type, value) => writeFileSync(join(out, `${name}.ts`),
     `// Made by tools/make-lessons.mjs.\nimport type {${type}} from '../learn/types';\n\nexport const ${name}: ${type}[] = ${JSON.stringify(value, null, 1)};\n`);
 data('lessons', 'Lesson', list);
 data('challenges', 'Challenge', pictures);
+data('help', 'Topic', documents.map(topic));
 console.log(`${list.length} lessons, ${pictures.length} challenges`);

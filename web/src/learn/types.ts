@@ -31,3 +31,10 @@ export interface Challenge {
     /** If given: only lines with one of these words may be changed. */
     may?: string[] | undefined;
 }
+
+/** A topic of the help. */
+export interface Topic {
+    id: string;
+    title: string;
+    html: string;
+}

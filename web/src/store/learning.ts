@@ -253,7 +253,7 @@ async function checkChallenge() {
 
 /** Checks the open step or challenge whenever a picture is complete or a pixel is pinned. */
 export function followLessons() {
-    requestIdleCallback(() => void loadLessons());  // the page makes no connections later
+    requestIdleCallback(() => void Promise.all([loadLessons(), import('../lessons/help')]));  // the page makes no connections later
     effect(() => {
         const isReady = state.value === 'done' && shownId.value === documentId.value;
         void [pinned.value, info.value, step.value, overrides.value];

@@ -10,6 +10,7 @@ import {keepForBack, setAddress} from '../store/address';
 import {link, openGalleryScene, openScene} from '../store/scene';
 import {fileName, history, info, services, notice, sceneName, text} from '../store/state';
 import {FileButton} from './fields';
+import {Help} from './Help';
 import {canvases} from './pictures';
 
 const families: [string, string][] = [
@@ -52,7 +53,7 @@ function SceneMenu() {
                                             dialog.current?.close();
                                         }}
                                     >
-                                        <img src={scene.picture} alt="" width={132} height={99} />
+                                        <img loading="lazy" src={scene.picture} alt="" width={132} height={99} />
                                         <span>{title(scene)}</span>
                                     </button>
                                 ))}
@@ -95,11 +96,15 @@ async function copy(words: string): Promise<boolean> {
     }
 }
 
+/** Characters of a link that mail programs and learning platforms keep. */
+const longLink = 8000;
+
 async function share() {
     const address = await link();
     globalThis.history.replaceState(null, '', address);
-    notice.value = await copy(address) ? 'The link is copied. It contains the scene and its settings. Nothing was sent.'
-        : 'The link is in the address bar. It contains the scene and its settings.';
+    const long = address.length > longLink ? ` It has ${address.length} characters: some programs cut links of that length off; Save scene makes a file instead.` : '';
+    notice.value = (await copy(address) ? 'The link is copied. It contains the scene and its settings. Nothing was sent.'
+        : 'The link is in the address bar. It contains the scene and its settings.') + long;
 }
 
 async function copyCommand() {
@@ -141,6 +146,7 @@ export function Header() {
                 <button class="button" title="Save the picture (s)" onClick={() => savePicture(canvases.first)}>Save PNG</button>
                 <button class="button" onClick={() => saveScene(text.value)}>Save scene</button>
             </div>
+            <Help />
             <Theme />
         </header>
     );
