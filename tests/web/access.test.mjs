@@ -119,6 +119,20 @@ for (const scheme of ['light', 'dark']) {
     }, {scheme}));
 }
 
+test('on a phone the header is one line, and a tapped pixel says its sentence beside the picture', () => withPage(async (page) => {
+    const {height} = await page.locator('.header').boundingBox();
+    assert.ok(height < 60, `${height} pixels`);
+    await page.locator('.more summary').click();
+    await page.getByRole('button', {name: 'Save PNG'}).waitFor();
+    await page.locator('.more summary').click();
+    await page.locator('.frame').tap();
+    const line = page.locator('.sentence-line');
+    await line.waitFor();
+    assert.match(await line.innerText(), /light|background/);
+    const box = await line.boundingBox();
+    assert.ok(box.y + box.height < 740, 'in sight without scrolling');
+}, {width: 360, height: 740, hasTouch: true, isMobile: true}));
+
 test('at 360 pixels nothing is cut off, and every panel can be reached', () => withPage(async (page) => {
     const isIn = ({width, wide}) => width === 360 && wide.length === 0;
     const overflow = () => until(() => page.evaluate(() => {

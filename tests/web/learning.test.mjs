@@ -137,6 +137,20 @@ test('a step says what is missing, is applied by a button, and is not done in an
     await step.getByText('The scene has an error').waitFor();
 }));
 
+test('undo stays in its lesson, and Back returns to the scene before', () => withPage(async (page) => {
+    const before = await sceneText(page);
+    await page.locator('.welcome').getByRole('button', {name: 'A lesson'}).click();
+    await page.locator('.lesson').waitFor();
+    assert.ok(await page.getByRole('button', {name: 'Undo'}).isDisabled());
+    const text = await sceneText(page);
+    await paste(page, text.replace('intensity = 0.2', 'intensity = 0.4'));
+    await page.getByRole('button', {name: 'Undo'}).click();
+    assert.equal(await sceneText(page), text);
+    await page.goBack();
+    await page.waitForFunction(() => document.querySelector('.file-name').textContent === 'three_mirrors.cgfs');
+    assert.equal(await sceneText(page), before);
+}));
+
 test('a teacher’s challenge is a link', () => withPage(async (page, context) => {
     await context.grantPermissions(['clipboard-read', 'clipboard-write']);
     await page.getByRole('tab', {name: 'Learn'}).click();

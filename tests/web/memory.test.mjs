@@ -81,7 +81,9 @@ test('a missing include is supplied by dropping it', () => withPage(async (page)
 test('the first visit says what this is; the layout is the user’s', () => withPage(async (page) => {
     assert.match(await page.locator('.welcome').innerText(), /ray tracing/);
     await shoot(page, 'welcome.png');
-    await page.locator('.welcome').getByRole('button', {name: 'The book’s scene'}).click();
+    assert.match(await page.locator('.welcome').innerText(), /Computer Graphics from Scratch/);
+    await page.locator('.welcome').getByRole('button', {name: 'Take a pixel apart'}).click();
+    await page.locator('.inspector .sentence').waitFor();
     assert.equal(await page.locator('.welcome').count(), 0);
     const columns = () => page.evaluate(() => ['.text-pane', '.stage', '.side'].map((one) => document.querySelector(one).getBoundingClientRect()).map(({x, width, y}) => [Math.round(x), Math.round(width), Math.round(y)]));
     // Three columns.

@@ -67,7 +67,7 @@ export async function openLesson(id: string, number = 0) {
     keepForBack();
     end();
     const scene = found.steps[at]!.scene ?? found.scene;
-    openScene(at > 0 && !found.steps[at]!.scene ? {...scene, text: solutionOf(found, at - 1).text} : scene);
+    openScene(at > 0 && !found.steps[at]!.scene ? {...scene, text: solutionOf(found, at - 1).text} : scene, true);
     showLesson(found, at);
 }
 
@@ -151,7 +151,7 @@ export async function openChallenge(id: string) {
     const found = challenges.value.find((one) => one.id === id) ?? challenges.value[0]!;
     keepForBack();
     end();
-    openScene({name: found.name, text: found.start});
+    openScene({name: found.name, text: found.start}, true);
     begin(found);
     setAddress({what: 'challenge', id: found.id});
 }

@@ -4,7 +4,7 @@ import {batch} from '@preact/signals';
 import type {Explanation} from 'glint-wasm';
 
 import {
-    type Side, comparison, difference, documentId, hovered, isPictureOfScene, services, pinned, pinnedIn, pixel, selected, settingIn, size, split, step, tab,
+    type Side, comparison, difference, documentId, hovered, isFirstVisit, isPictureOfScene, services, pinned, pinnedIn, pixel, selected, settingIn, size, split, step, tab,
 } from './state';
 
 let asking = false;
@@ -79,7 +79,10 @@ export async function pin(at: [number, number] | null, opens = true, ray: number
         pinnedIn.value = {side, isPhong: isPhong(side)};
         selected.value = {ray: 0, light: strongestLight(explanation, 0)};
         step.value = ray;
-        if (opens) tab.value = 'inspect';
+        if (opens) {
+            tab.value = 'inspect';
+            isFirstVisit.value = false;
+        }
     });
 }
 

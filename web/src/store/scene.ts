@@ -94,8 +94,8 @@ export function chooseScene(name: string) {
     page.editor?.setDocumentState({...currentDocumentState(), id: newId(), scene: name});
 }
 
-/** Opens a scene in place of the previous one, which undo restores. */
-export function openScene(scene: StoredScene) {
+/** Opens a scene in place of the previous one, which undo restores; fresh: which only Back restores. */
+export function openScene(scene: StoredScene, fresh = false) {
     const tooLong = tooLongLine(scene.text);
     if (tooLong > 0) {
         notice.value = `${shortName(scene.name)} is not opened: line ${tooLong} has more than ${longestLine} characters.`;
@@ -115,7 +115,7 @@ export function openScene(scene: StoredScene) {
         hovered.value = null;
         pixel.value = null;
     });
-    if (fileName.value !== '') {
+    if (fileName.value !== '' && !fresh) {
         page.editor?.setDocumentState(documentState, scene.text);
         return;
     }

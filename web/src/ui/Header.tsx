@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 import {useSignal} from '@preact/signals';
-import {useRef} from 'preact/hooks';
+import {useEffect, useRef} from 'preact/hooks';
 
 import {commandLine} from '../command';
 import {savePicture, saveScene} from '../files';
@@ -127,10 +127,48 @@ function Theme() {
     );
 }
 
+/** Whether the page is as narrow as a phone. */
+function useNarrow(): boolean {
+    const query = useRef(matchMedia('(max-width: 520px)')), isNarrow = useSignal(query.current.matches);
+    useEffect(() => {
+        const changed = () => {
+            isNarrow.value = query.current.matches;
+        };
+        query.current.addEventListener('change', changed);
+        return () => query.current.removeEventListener('change', changed);
+    }, []);
+    return isNarrow.value;
+}
+
+function SaveButtons() {
+    return (
+        <div class="group" role="group" aria-label="Save">
+            <button class="button" onClick={() => void share()}>Share link</button>
+            <button class="button" title="Copy the line of the glint command that renders this picture" onClick={() => void copyCommand()}>Copy as command</button>
+            <button class="button" title="Save the picture (s)" onClick={() => savePicture(canvases.first)}>Save PNG</button>
+            <button class="button" onClick={() => saveScene(text.value)}>Save scene</button>
+        </div>
+    );
+}
+
+/** On a phone: what else there is room for on a large screen. */
+function More() {
+    const details = useRef<HTMLDetailsElement>(null);
+    return (
+        <details ref={details} class="more" onClick={(event) => {
+            if ((event.target as Element).closest('button')) details.current!.open = false;
+        }}>
+            <summary class="button">Save</summary>
+            <div class="more-body"><SaveButtons /><Theme /></div>
+        </details>
+    );
+}
+
 export function Header() {
+    const isNarrow = useNarrow();
     return (
         <header class="header">
-            <h1 class="brand"><a href="#scene=cgfs/three_mirrors.cgfs" title="The first scene"><img src="./icon.svg" alt="" width={22} height={22} />glint</a></h1>
+            <h1 class="brand"><a href="#scene=cgfs/three_mirrors.cgfs" title="The first scene" aria-label="glint"><img src="./icon.svg" alt="" width={22} height={22} />{!isNarrow && 'glint'}</a></h1>
             <SceneMenu />
             <span class="file-name" title={fileName.value}>{fileName.value.split('/').at(-1)}{sceneName.value ? `: ${sceneName.value}` : ''}</span>
             <div class="group" role="group" aria-label="History">
@@ -140,14 +178,7 @@ export function Header() {
                         onClick={() => services.editor?.redo()}>↷</button>
             </div>
             <div class="spacer" />
-            <div class="group" role="group" aria-label="Save">
-                <button class="button" onClick={() => void share()}>Share link</button>
-                <button class="button" title="Copy the line of the glint command that renders this picture" onClick={() => void copyCommand()}>Copy as command</button>
-                <button class="button" title="Save the picture (s)" onClick={() => savePicture(canvases.first)}>Save PNG</button>
-                <button class="button" onClick={() => saveScene(text.value)}>Save scene</button>
-            </div>
-            <Help />
-            <Theme />
+            {isNarrow ? <><Help /><More /></> : <><SaveButtons /><Help /><Theme /></>}
         </header>
     );
 }

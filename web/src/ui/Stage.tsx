@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The middle of the page: the picture and its overlays.
 import {useSignal} from '@preact/signals';
-import {useLayoutEffect, useRef} from 'preact/hooks';
+import {useEffect, useLayoutEffect, useRef} from 'preact/hooks';
 
 import type {Move} from '../camera';
 import {layout} from '../store/layout';
@@ -16,6 +16,7 @@ import {keyPressed, lookDistance, usePointers, useWheel, zoom} from './gestures'
 import {RayLines} from './RayLines';
 import {Space} from './Space';
 import {Splitter} from './Splitter';
+import {sentence} from './sentence';
 import {hex, itemName} from './words';
 import {canvases} from './pictures';
 
@@ -105,7 +106,7 @@ function PixelLine() {
             <OwnPixel at={explanation.pixel} />
             {hit ? <>
                 <button class="link" onClick={() => reveal(hit.shape)}>{itemName(hit.shape)}</button>
-                <span class="mono faint">({hit.point.map((c) => Number(c.toPrecision(4))).join(', ')})</span>
+                <span class="mono faint point">({hit.point.map((c) => Number(c.toPrecision(4))).join(', ')})</span>
             </> : <span>background</span>}
         </p>
     );
@@ -132,6 +133,7 @@ function Status() {
                 <PixelLine />
                 <ZoomButtons />
             </div>
+            {pinned.value && <p class="sentence-line">{sentence(pinned.value)}</p>}
             <div class="figures-line">
                 <progress value={state.value === 'done' ? 1 : state.value === 'error' ? 0 : fraction} max={1} aria-label="Progress of the picture" />
                 <span class="mono words" data-state={state.value} title={words}>{words}</span>
@@ -142,7 +144,22 @@ function Status() {
     );
 }
 
+/** What a notice says is read within this time, in milliseconds; it then makes room. */
+const noticeTime = 20_000;
+
+function useNoticeTime() {
+    const {value} = notice;
+    useEffect(() => {
+        if (!value) return undefined;
+        const timer = setTimeout(() => {
+            notice.value = '';
+        }, noticeTime);
+        return () => clearTimeout(timer);
+    }, [value]);
+}
+
 export function Stage() {
+    useNoticeTime();
     const area = useRef<HTMLDivElement>(null);
     const frame = useRef<HTMLDivElement>(null);
     const box = useSignal({width: 600, height: 600});
