@@ -22,10 +22,12 @@ constexpr int k_max_parts = 32, k_max_fine_parts = 64, k_max_strips = 171;
 constexpr std::uint64_t k_few_shapes = 1'000'000;
 
 bool same_light(const Finish& a, const Finish& b) {
-    return a.ambient == b.ambient && a.emission == b.emission && a.diffuse == b.diffuse &&
-           a.brilliance == b.brilliance && a.phong == b.phong && a.phong_size == b.phong_size &&
-           a.specular == b.specular && a.roughness == b.roughness && a.metallic == b.metallic &&
-           a.reflection_max == b.reflection_max && a.reflection_min == b.reflection_min;
+    return a.ambient == b.ambient && a.emission == b.emission &&
+           a.brightest_diffuse() == b.brightest_diffuse() && a.brilliance == b.brilliance &&
+           a.brightest_phong() == b.brightest_phong() && a.phong_size == b.phong_size &&
+           a.brightest_specular() == b.brightest_specular() && a.roughness == b.roughness &&
+           a.metallic == b.metallic && a.reflection_max == b.reflection_max &&
+           a.reflection_min == b.reflection_min;
 }
 
 // Whether a shape of the same material has the same warnings: those that the material does not decide are of
@@ -52,10 +54,10 @@ std::uint32_t Reader::material_of(const Inherited& own, const Token& at) {
                            f.ambient.r,
                            f.ambient.g,
                            f.ambient.b,
-                           f.diffuse,
-                           f.phong,
+                           f.brightest_diffuse(),
+                           f.brightest_phong(),
                            f.phong_size,
-                           f.specular,
+                           f.brightest_specular(),
                            f.roughness,
                            f.emission.r,
                            f.emission.g,
@@ -91,17 +93,17 @@ std::uint32_t Reader::material_of(const Inherited& own, const Token& at) {
     m.color = pigment;
     m.ambient = times(p, f.ambient);
     m.emission = times(p, f.emission);
-    m.diffuse = pigment * f.diffuse;
+    m.diffuse = pigment * f.brightest_diffuse();
     m.specular = {0, 0, 0};
     m.brilliance = std::max(f.brilliance, 0.0);
     m.metallic = std::clamp(f.metallic, 0.0, 1.0);
     if (f.specular > 0 && f.roughness > 0) {
-        m.specular = Color{1, 1, 1} * f.specular;
+        m.specular = Color{1, 1, 1} * f.brightest_specular();
         m.shininess = std::min(1 / f.roughness, 1e9);
     }
     // phong at or below 0 is no highlight.
     if (f.phong > 0) {
-        m.phong = Color{1, 1, 1} * f.phong;
+        m.phong = Color{1, 1, 1} * f.brightest_phong();
         m.phong_shininess = std::clamp(f.phong_size, 0.0, 1e9);
     }
     if (const double most = largest(f.reflection_max); most > 0) {
