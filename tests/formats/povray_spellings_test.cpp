@@ -33,6 +33,19 @@ TEST(PovRaySpellings, AlbedoIsOfAllLightInPlaceOfTheBrightest) {
                 k_pov_near);
 }
 
+TEST(PovRaySpellings, SrgbIsInTheNumbersOfAssumedGamma) {
+    const auto red = [](const std::string& gamma) {
+        return povray_scene("global_settings { assumed_gamma " + gamma +
+                            " }\nsphere { 0, 1 pigment { srgb <.5, 0, 0> } }")
+            .materials.at(0)
+            .color.r;
+    };
+    const double linear = red("1");
+    EXPECT_NEAR(linear, 0.21404114048, 1e-9);
+    EXPECT_NEAR(red("2") * red("2"), linear, 1e-9);
+    EXPECT_EQ(red("srgb"), 0.5);
+}
+
 TEST(PovRaySpellings, TheWordOfAShapeTakesADeclaredOne) {
     EXPECT_EQ(
         povray_scene("#declare B = sphere { 0, 1 }\nsphere { B translate 2*x }").get<Sphere>().at(0).center,

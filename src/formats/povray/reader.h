@@ -236,6 +236,7 @@ class Reader {
     // colors.cpp
     bool begins_color(const Token& token);
     std::array<double, 5> color(bool from_numbers);
+    double of_srgb(double c) const;
     Numbers color_value();
 
     // textures.cpp
