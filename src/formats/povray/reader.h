@@ -365,6 +365,7 @@ class Reader {
 
     // tiny.cpp
     void check_size();
+    void check_bailout();
 
     // glass.cpp
     double glass_of(const Inherited& own) const;
@@ -419,6 +420,7 @@ class Reader {
     std::array<double, 5> background_{};
     Color ambient_light_{1, 1, 1};
     CountedVector<ParallelLight> parallel_lights_;
+    std::optional<Token> high_bailout_;   // adc_bailout above 1/255
     std::optional<Token> no_reflection_;  // the first object with it
     CountedVector<std::shared_ptr<const Clip>> clips_;
     CountedVector<ShapeInteriors> interiors_;  // in the order of the shapes
