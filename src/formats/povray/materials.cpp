@@ -46,39 +46,39 @@ std::uint32_t Reader::material_of(const Inherited& own, const Token& at) {
     const Finish& f = texture.finish;
     const std::array<double, 5>& p = texture.pigment.color;
     const double glass = glass_of(own);
-    const MaterialKey key{{p[0],
-                           p[1],
-                           p[2],
-                           p[3],
-                           p[4],
-                           f.ambient.r,
-                           f.ambient.g,
-                           f.ambient.b,
-                           f.brightest_diffuse(),
-                           f.brightest_phong(),
-                           f.phong_size,
-                           f.brightest_specular(),
-                           f.roughness,
-                           f.emission.r,
-                           f.emission.g,
-                           f.emission.b,
-                           f.brilliance,
-                           f.metallic,
-                           f.reflection_min.r,
-                           f.reflection_min.g,
-                           f.reflection_min.b,
-                           f.reflection_max.r,
-                           f.reflection_max.g,
-                           f.reflection_max.b,
-                           f.reflection_metallic,
-                           f.reflection_falloff,
-                           f.crand,
-                           f.diffuse_back,
-                           own.is_no_shadow ? 1.0 : 0.0,
-                           f.reflection_exponent,
-                           f.reflection_fresnel ? 1.0 : 0.0,
-                           f.conserve_energy ? 1.0 : 0.0,
-                           glass > 0 ? own.interior->ior : 0.0}};
+    const NumberTable<33>::Key key{p[0],
+                                   p[1],
+                                   p[2],
+                                   p[3],
+                                   p[4],
+                                   f.ambient.r,
+                                   f.ambient.g,
+                                   f.ambient.b,
+                                   f.brightest_diffuse(),
+                                   f.brightest_phong(),
+                                   f.phong_size,
+                                   f.brightest_specular(),
+                                   f.roughness,
+                                   f.emission.r,
+                                   f.emission.g,
+                                   f.emission.b,
+                                   f.brilliance,
+                                   f.metallic,
+                                   f.reflection_min.r,
+                                   f.reflection_min.g,
+                                   f.reflection_min.b,
+                                   f.reflection_max.r,
+                                   f.reflection_max.g,
+                                   f.reflection_max.b,
+                                   f.reflection_metallic,
+                                   f.reflection_falloff,
+                                   f.crand,
+                                   f.diffuse_back,
+                                   own.is_no_shadow ? 1.0 : 0.0,
+                                   f.reflection_exponent,
+                                   f.reflection_fresnel ? 1.0 : 0.0,
+                                   f.conserve_energy ? 1.0 : 0.0,
+                                   glass > 0 ? own.interior->ior : 0.0};
     const bool is_last = last_material_ != k_none && key == last_key_;
     if (is_last && is_last_plain_ && has_nothing_else(texture, own.interior, own.is_merge))
         return last_material_;
@@ -86,8 +86,7 @@ std::uint32_t Reader::material_of(const Inherited& own, const Token& at) {
     is_last_plain_ = has_nothing_else(texture, own.interior, own.is_merge);
     if (is_last) return last_material_;
     last_key_ = key;
-    const auto known = materials_.lower_bound(key);
-    if (known != materials_.end() && known->first == key) return last_material_ = known->second;
+    if (const std::uint32_t* known = materials_.find(key)) return last_material_ = *known;
     Material m;
     const Color pigment{p[0], p[1], p[2]};
     m.color = pigment;
@@ -128,7 +127,7 @@ std::uint32_t Reader::material_of(const Inherited& own, const Token& at) {
     last_material_ = static_cast<std::uint32_t>(scene_.materials.size());
     note(scene_.material_texts, last_material_, place_of(call_place(at)));
     scene_.materials.push_back(m);
-    materials_.emplace_hint(known, key, last_material_);
+    materials_.add(key, last_material_);
     return last_material_;
 }
 
