@@ -390,9 +390,6 @@ class PovrayArguments {
             warn("an animation of one frame: its clock is Initial_Clock; in POV-Ray it is not a number");
         if (!parsed_.frames.empty() && is_standard_output(parsed_.render.output))
             throw Failure(k_usage, "an animation is several files: name them with +O");
-        const bool has_frames = animation_.first_frame || animation_.last_frame.value_or(0) >= 1;
-        if (has_frames && parsed_.frames.empty())
-            throw Failure(k_usage, "+SF, +EF: expected some of the animation's frames, found none");
     }
 
     // Somebody else's .ini must not write to any place: on the command line the user sees where.
