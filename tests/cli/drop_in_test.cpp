@@ -376,6 +376,19 @@ TEST_F(Povray, HidesWarningsAtLevel0) {
     EXPECT_FALSE(cli::povray_drop_in({"a.pov"}).render.hides_warnings);
 }
 
+TEST_F(Povray, TakesSwitchesOfSpeed) {
+    EXPECT_TRUE(cli::povray_drop_in({"a.pov", "+SU", "-SU", "+RP4", "Split_Unions=on", "BSP_MissChance=.2",
+                                     "Clockless_Animation=off"})
+                    .warnings.empty());
+    EXPECT_EQ(cli::povray_drop_in({"a.pov", "+A", "+R2", "+RP4"}).render.picture.aa, "adaptive:2:0.1");
+}
+
+TEST_F(Povray, RunsNoCommands) {
+    const DropIn d = cli::povray_drop_in({"a.pov", "Pre_Scene_Command=touch x", "Pre_Scene_Return=I"});
+    ASSERT_EQ(d.warnings.size(), 1u);
+    EXPECT_EQ(d.warnings[0], "'Pre_Scene_Command=touch x' has no effect in glint");
+}
+
 TEST_F(Povray, FindsTheSceneInTheLibrary) {
     folder_.write("of_library.pov", "");
     const DropIn d = cli::povray_drop_in({"+L" + folder_.path(""), "+Iof_library"});
