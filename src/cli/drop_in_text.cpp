@@ -58,7 +58,7 @@ constexpr DropInOption k_povray_options[] = {
      "An animation: its first and last frame, the clock of these, a cycle, and the frames to render"},
     {"+SC[N], +EC[N], +SR[N], +ER[N]",
      "The first and last column and row to render, as numbers from 1 or fractions; the rest is black"},
-    {"--skip-unsupported", "Leave out what glint cannot draw; the last line says how much"},
+    {"--skip-unsupported", "Leave out what glint cannot draw; the last line says how much, but not with -V"},
     {"-V", "Print only errors"},
     {"-D, -P, -C, -J, +X, +AM[N], +MB[N]",
      "Accepted, as others of display, pause and method; no effect on the picture"},
