@@ -30,7 +30,9 @@ std::vector<DropInFrame> frames_of(const Animation& a, const std::string& output
     // for.
     const long count = final - first + 1;
     const long from = a.subset_first ? frame_number(*a.subset_first, first, count) : first;
-    const long to = a.subset_last ? frame_number(*a.subset_last, first, count) : from == final ? final : last;
+    // A part that ends before it begins is one frame; frames beyond the last one go on with its clock
+    // (measured).
+    const long to = std::max(from, a.subset_last ? frame_number(*a.subset_last, first, count) : last);
     const std::filesystem::path path(output);
     const std::size_t digits = std::to_string(final).size();
     std::vector<DropInFrame> frames;

@@ -143,8 +143,15 @@ class PovrayArguments {
         set_input(word);
     }
 
+    // Who names a file: the place in an .ini file, and its folder; none if it is the user.
+    struct Namer {
+        std::string place, folder;
+    };
+    Namer namer() const { return is_trusted_ini_ ? Namer() : Namer{place_, folder_of(ini_)}; }
+
     void set_input(const std::string& name) {
         input_ = name;
+        input_by_ = namer();
         parsed_.render.scene.is_named_by_file = !place_.empty();
     }
 
@@ -194,8 +201,7 @@ class PovrayArguments {
                 return set_input(value);
             case PovrayKey::output:
                 output_ = value;
-                output_place_ = is_trusted_ini_ ? std::string() : place_;
-                ini_folder_ = folder_of(ini_);
+                output_by_ = namer();
                 return;
             case PovrayKey::file_type:
                 writes_ = on;
@@ -344,10 +350,7 @@ class PovrayArguments {
     void finish() {
         if (input_.empty()) throw Failure(k_usage, "expected the name of a scene: +Iscene.pov");
         RenderArguments& render = parsed_.render;
-        std::error_code ignored;
-        const bool exists = std::filesystem::exists(input_, ignored);
-        if (!exists && extension(input_).empty() && input_ != "-") input_ += ".pov";
-        render.scene.files = {input_};
+        render.scene.files = {find_input()};
         render.scene.format = "povray";
         if (width_ == 0 || height_ == 0) fail("expected a width and a height above 0");
         render.picture.size = fmt::format("{}x{}", width_, height_);
@@ -390,37 +393,49 @@ class PovrayArguments {
             warn("an animation of one frame: its clock is Initial_Clock; in POV-Ray it is not a number");
         if (!parsed_.frames.empty() && is_standard_output(parsed_.render.output))
             throw Failure(k_usage, "an animation is several files: name them with +O");
-        const bool has_frames = animation_.first_frame || animation_.last_frame.value_or(0) >= 1;
-        if (has_frames && parsed_.frames.empty())
-            throw Failure(k_usage, "+SF, +EF: expected some of the animation's frames, found none");
     }
 
     // Somebody else's .ini must not write to any place: on the command line the user sees where.
     void check_output(const std::string& path) const {
-        if (output_place_.empty() || path == "-" || is_inside(path, ".") || is_inside(path, ini_folder_))
-            return;
+        const Namer& by = output_.empty() ? input_by_ : output_by_;
+        if (by.place.empty() || path == "-" || is_inside(path, ".") || is_inside(path, by.folder)) return;
         throw Failure(k_usage,
                       fmt::format("{}: expected an output in this folder or the .ini file's, found {}; for "
                                   "another folder, give +O on the command line",
-                                  output_place_, glint::quoted(output_)));
+                                  by.place, glint::quoted(output_.empty() ? path : output_)));
     }
 
-    std::string output_path() const {
-        const FileFormat format = *parsed_.render.numbers.format;
-        const std::string ending = ending_of(format);
-        std::string name = (input_ == "-" ? std::string("stdin") : stem(input_)) + ending;
-        if (output_.empty()) return name;
+    // The scene, with .pov or without, in this folder or one of +L. Without extension `input_` then has it.
+    std::string find_input() {
         std::error_code ignored;
+        const bool is_bare = extension(input_).empty() && input_ != "-";
+        if (is_bare && !std::filesystem::exists(input_, ignored)) input_ += ".pov";
+        if (input_ == "-" || std::filesystem::exists(input_, ignored)) return input_;
+        for (const std::string& folder : folders_) {
+            std::string path = (std::filesystem::path(folder) / input_).string();
+            if (std::filesystem::exists(path, ignored)) return path;
+        }
+        return input_;
+    }
+
+    // The names are POV-Ray's (measured): the ending of the file's type is added unless the name has it;
+    // without +O the picture is beside the scene.
+    std::string output_path() const {
+        const std::string ending = ending_of(*parsed_.render.numbers.format);
+        const std::filesystem::path scene(input_ == "-" ? "stdin" : input_);
+        const std::string name = stem(scene.string()) + ending;
+        if (output_.empty()) return (scene.parent_path() / name).string();
         if (output_ == "-") return output_;
-        if (output_.ends_with('/') || std::filesystem::is_directory(output_, ignored))
-            return (std::filesystem::path(output_) / name).string();
-        return extension(output_).empty() ? output_ + ending : output_;
+        if (output_.ends_with('/')) return (std::filesystem::path(output_) / name).string();
+        std::error_code ignored;
+        if (output_.ends_with(ending) || std::filesystem::is_character_file(output_, ignored)) return output_;
+        return output_ + (output_.ends_with('.') ? ending.substr(1) : ending);
     }
 
     IniFiles& files_;
     DropIn parsed_;
-    std::string ini_, place_;                // the .ini file that is being read, and the place in it
-    std::string output_place_, ini_folder_;  // of the output, if an .ini file names it
+    std::string ini_, place_;  // the .ini file that is being read, and the place in it
+    Namer input_by_, output_by_;
     bool is_own_ini_ = false, is_trusted_ini_ = false;
     int depth_ = 0, ini_files_ = 0;
     std::string input_, output_;

@@ -39,7 +39,10 @@ constexpr DropInOption k_tachyon_options[] = {
 
 constexpr DropInOption k_povray_options[] = {
     {"+I[FILE]", "The scene; a FILE without + is one, too"},
-    {"+O[FILE]", "The picture, a folder for it, or - (standard output); default: the scene's name"},
+    {"+O[FILE]",
+     "The picture, whose type's ending is added if it is missing, a folder/, or - (standard output); "
+     "default: "
+     "beside the scene"},
     {"+W[N], +H[N]", "The size in pixels; default: 320 by 240"},
     {"+FN[8|16], +FT, +FP[8|16], +FE, +FJ, +FB",
      "The file type: PNG (default), TGA, PPM, OpenEXR, JPEG, BMP"},
@@ -49,13 +52,13 @@ constexpr DropInOption k_povray_options[] = {
     {"+Q[N]", "Quality: 0 and 1 are colors only, 2 and 3 have no shadows, to 11 everything"},
     {"+WT[N]", "Threads; default: one per processor"},
     {"+UA", "Write an alpha channel"},
-    {"+L[FOLDER]", "A folder of included files"},
+    {"+L[FOLDER]", "A folder of scenes and included files"},
     {"+K[N]", "The scene's clock"},
     {"+KFI[N], +KFF[N], +KI[N], +KF[N], +KC, +SF[N], +EF[N]",
      "An animation: its first and last frame, the clock of these, a cycle, and the frames to render"},
     {"+SC[N], +EC[N], +SR[N], +ER[N]",
      "The first and last column and row to render, as numbers from 1 or fractions; the rest is black"},
-    {"--skip-unsupported", "Leave out what glint cannot draw; the last line says how much"},
+    {"--skip-unsupported", "Leave out what glint cannot draw; the last line says how much, but not with -V"},
     {"-V", "Print only errors"},
     {"-D, -P, -C, -J, +X, +AM[N], +MB[N]",
      "Accepted, as others of display, pause and method; no effect on the picture"},

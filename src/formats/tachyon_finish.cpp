@@ -103,7 +103,10 @@ void finish_tachyon(LoadState& reading) {
         const SettingOrigin origin{SettingOrigin::Kind::file, state.shader_place};
         set_named_setting(scene, "shading", "color", origin);
         set_named_setting(scene, "reflections", "0", origin);
-        if (state.shader == TachyonShader::lowest) scene.background = {0, 0, 0};
+        if (state.shader == TachyonShader::lowest) {
+            scene.background = {0, 0, 0};
+            scene.gradient.reset();
+        }
     }
     if (state.camera) set_camera(reading, *state.camera);
     // A texture's Ambient needs no light.

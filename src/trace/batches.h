@@ -170,7 +170,7 @@ struct SurfaceBatch {
     std::vector<double> colored_rows;
     BatchColumn<std::uint32_t> colored_row;
     BatchColumn<double> behind;  // 1: the ray hit the back of the shape; else 0
-    BatchColumn<double> hit_t;   // for Beer's law and fog only: t of the hit, from RayFields::start on
+    BatchColumn<double> hit_t;   // for Beer's law, fog, sees_back(): t of the hit, from RayFields::start on
     BatchColumn<double> fog[3], visibility;  // the fog's weighted light, and f; if the scene has fog
     BatchColumn<double> straight;            // the ray's, if alpha is wanted
     // If the scene has transparent surfaces: the ray's origin, its t here, and RayFields.

@@ -164,7 +164,7 @@ TEST_F(FilePolicy, AnIniWritesOnlyIntoItsFolderOrThisOne) {
     EXPECT_TRUE(other.has("a.png"));
     // A scene that an .ini names is a regular file.
     folder_.write("p.ini", "Input_File_Name=/dev/zero\n");
-    const Finished device = run(folder_, {"p.ini"}, options);
+    const Finished device = run(folder_, {"p.ini", "+Oa.png"}, options);
     EXPECT_TRUE(contains(device.err, "/dev/zero: not a regular file")) << device.err;
 }
 

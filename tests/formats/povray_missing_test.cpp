@@ -38,6 +38,18 @@ TEST(PovRayMissing, TinyScenesAreNamed) {
     EXPECT_EQ(said("camera { location -1*z }\nsphere { 0, 0.01 }\nplane { y, -9 }"), "");
 }
 
+TEST(PovRayMissing, AHighBailoutOfReflectionsByTheAngle) {
+    const std::string high = "global_settings { adc_bailout .1 }\n",
+                      plain = "sphere { 0, 1 finish { reflection .4 } }",
+                      angle = "sphere { 0, 1 finish { reflection { 0, .4 } } }";
+    EXPECT_NE(said(high + angle).find("2:19: warning: glint does not render `adc_bailout`"),
+              std::string::npos)
+        << said(high + angle);
+    EXPECT_NE(said(angle + high).find("`adc_bailout`"), std::string::npos);
+    EXPECT_EQ(said(high + plain), "");
+    EXPECT_EQ(said("global_settings { adc_bailout 1/255 }\n" + angle), "");
+}
+
 TEST(PovRayMissing, ParallelLightsBelowAPolygon) {
     const std::string light = "light_source { <0, 3, 0>, rgb 1 parallel point_at 0 }\n";
     EXPECT_NE(said(light + "sphere { 0, 1 } polygon { 4, <0, 4, 0>, <1, 4, 0>, <1, 4, 1>, <0, 4, 1> }")

@@ -17,6 +17,35 @@ TEST(PovRaySpellings, ATextureMayBeAPigment) {
     EXPECT_EQ(s.materials.at(s.shapes.at(0).material).diffuse, (Color{1, 0, 0}));
 }
 
+// The factors, as POV-Ray has them (measured).
+TEST(PovRaySpellings, AlbedoIsOfAllLightInPlaceOfTheBrightest) {
+    const auto look = [](const std::string& finish) {
+        const Scene s = povray_scene("sphere { 0, 1 " + k_red + " finish { " + finish + " } }");
+        return s.materials.at(s.shapes.at(0).material);
+    };
+    EXPECT_EQ(look("diffuse albedo .5").diffuse.r, 0.5);
+    EXPECT_EQ(look("diffuse albedo .25 brilliance 3").diffuse.r, 0.5);
+    EXPECT_EQ(look("phong albedo .25 phong_size 5").phong.r, 0.75);
+    EXPECT_EQ(look("phong albedo .25 phong_size 5 phong .5").phong.r, 1.5);
+    EXPECT_EQ(look("phong .25 phong_size 5").phong.r, 0.25);
+    EXPECT_NEAR(look("specular albedo .5 roughness .5").specular.r, 1.0 / 3, k_pov_near);
+    EXPECT_NEAR(look("specular albedo .25 roughness .05").specular.r, 0.25 * 22 / (8 - 4.0 / 1024),
+                k_pov_near);
+}
+
+TEST(PovRaySpellings, SrgbIsInTheNumbersOfAssumedGamma) {
+    const auto red = [](const std::string& gamma) {
+        return povray_scene("global_settings { assumed_gamma " + gamma +
+                            " }\nsphere { 0, 1 pigment { srgb <.5, 0, 0> } }")
+            .materials.at(0)
+            .color.r;
+    };
+    const double linear = red("1");
+    EXPECT_NEAR(linear, 0.21404114048, 1e-9);
+    EXPECT_NEAR(red("2") * red("2"), linear, 1e-9);
+    EXPECT_EQ(red("srgb"), 0.5);
+}
+
 TEST(PovRaySpellings, TheWordOfAShapeTakesADeclaredOne) {
     EXPECT_EQ(
         povray_scene("#declare B = sphere { 0, 1 }\nsphere { B translate 2*x }").get<Sphere>().at(0).center,

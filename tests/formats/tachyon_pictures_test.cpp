@@ -9,11 +9,12 @@ namespace glint::test {
 namespace {
 
 // The pixel in the middle, in bytes that are rounded down.
-std::array<int, 3> middle_of(const std::string& objects) {
+std::array<int, 3> middle_of(const std::string& objects, int raydepth = 2) {
     const std::string text =
         "Begin_Scene\nResolution 21 21\nCamera Projection Orthographic Zoom 0.5 Aspectratio 1 Antialiasing 0 "
-        "Raydepth 2 Center 0 0 -6 Viewdir 0 0 1 Updir 0 1 0 End_Camera\nBackground 0 0 0.4\n" +
-        objects + "End_Scene\n";
+        "Raydepth " +
+        std::to_string(raydepth) +
+        " Center 0 0 -6 Viewdir 0 0 1 Updir 0 1 0 End_Camera\nBackground 0 0 0.4\n" + objects + "End_Scene\n";
     const Result<Scene> scene = load_text(text, "a.dat");
     EXPECT_TRUE(scene) << scene.message;
     if (!scene) return {};
@@ -55,6 +56,14 @@ TEST(TachyonPictures, BeyondRaydepthTheBackgroundHasNoFog) {
                         "Color 0.5 0 0\nRing Center 0 0 0 " +
                         ring + "Ring Center 0 0 1 " + ring),
               (std::array<int, 3>{84, 64, 107}));
+}
+
+TEST(TachyonPictures, BeyondRaydepthAMirrorSeesTheGradientBehindItself) {
+    const std::string mirror =
+        "UpDir 0 1 0 TopVal 0.616 BottomVal -0.909 TopColor 0.703 0.159 0.122 BottomColor 0.146 0.712 0.875\n"
+        "Plane Center 0 0 3 Normal 0 0.5 -1 Texture Ambient 0.1 Diffuse 0 Specular 0.6" DAT_LOOK;
+    EXPECT_EQ(middle_of("Background_Gradient Sky_Sphere " + mirror, 1), (std::array<int, 3>{147, 123, 134}));
+    EXPECT_EQ(middle_of("Background_Gradient Sky_Sphere " + mirror, 2), (std::array<int, 3>{133, 49, 44}));
 }
 
 }  // namespace

@@ -325,9 +325,13 @@ TEST(Tachyon, FlatShadersShowColors) {
     EXPECT_EQ(low.settings.shading, Shading::color);
     EXPECT_EQ(low.settings.reflections, 0);
     EXPECT_EQ(low.materials[0].color, (Color{1, 0.5, 0}));
-    const Scene lowest = dat_scene(DAT_SCENE "Shader_Mode Lowest End_Shader_Mode Background 1 1 1");
+    const Scene lowest =
+        dat_scene(DAT_SCENE
+                  "Shader_Mode Lowest End_Shader_Mode Background 1 1 1 Background_Gradient Sky_Sphere "
+                  "Updir 0 1 0 TopVal 1 BottomVal 0 TopColor 1 1 1 BottomColor 0 1 0");
     EXPECT_EQ(lowest.materials[0].color, (Color{1, 1, 1}));
     EXPECT_EQ(lowest.background, (Color{0, 0, 0}));
+    EXPECT_FALSE(lowest.gradient);
 }
 
 TEST(Tachyon, IncludedTextsNeedNoHeader) {

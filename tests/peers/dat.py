@@ -94,4 +94,8 @@ RULES = [
 ] + [rule(f"ortho_plane_{name}", "Background_Gradient Sky_Ortho_Plane UpDir 0 1 0 TopVal 2 BottomVal -1 TopColor 0.1 0.2 0.9 "
           "BottomColor 0.9 0.8 0.3\n" + GLASS + "Sphere Center 1.3 0.9 -0.6 Rad 0.6 " + texture("0.3 0.6 0.9", specular=0.6),
           projection=projection, zoom=zoom, head=LIGHTS)
-     for name, projection, zoom in (("perspective", "", 1.5), ("orthographic", "Orthographic", 0.2))]
+     for name, projection, zoom in (("perspective", "", 1.5), ("orthographic", "Orthographic", 0.2))] + [
+    rule(f"limit_in_gradient_{kind}_{depth}", f"Background_Gradient {kind} UpDir 0 1 0 TopVal 2 BottomVal -1 TopColor 0.1 0.2 0.9 "
+         "BottomColor 0.9 0.8 0.3\n" + GLASS + "Sphere Center 1.3 0.9 -0.6 Rad 0.6 " + texture("0.3 0.6 0.9", specular=0.6) +
+         "Sphere Center -0.3 0.5 -1 Rad 0.7 " + texture("0.9 0.6 0.2", specular=0.7), head=LIGHTS, depth=depth)
+    for kind in ("Sky_Sphere", "Sky_Ortho_Plane") for depth in (1, 2)]

@@ -13,6 +13,13 @@ double decoded(double c) { return c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1
 
 }  // namespace
 
+// The number whose byte in the picture is that of sRGB (measured with numbers of assumed_gamma).
+double Reader::of_srgb(double c) const {
+    if (is_gamma_srgb_) return c;
+    const double linear = decoded(c);
+    return gamma_ && *gamma_ > 0 && linear > 0 ? pow(linear, 1 / *gamma_) : linear;
+}
+
 bool Reader::begins_color(const Token& token) {
     if (token.kind != TokenKind::word) return false;
     switch (token.word()) {
@@ -58,7 +65,7 @@ std::array<double, 5> Reader::color(bool from_numbers) {
                     if (terms == 3) value.v[3] = value.v[4] = 0;
                 }
                 if (word >= Word::k_srgb && word <= Word::k_srgbt) {
-                    for (std::size_t i = 0; i < 3; ++i) value.v[i] = decoded(value.v[i]);
+                    for (std::size_t i = 0; i < 3; ++i) value.v[i] = of_srgb(value.v[i]);
                 }
                 out = value.v;
                 break;

@@ -22,10 +22,12 @@ constexpr int k_max_parts = 32, k_max_fine_parts = 64, k_max_strips = 171;
 constexpr std::uint64_t k_few_shapes = 1'000'000;
 
 bool same_light(const Finish& a, const Finish& b) {
-    return a.ambient == b.ambient && a.emission == b.emission && a.diffuse == b.diffuse &&
-           a.brilliance == b.brilliance && a.phong == b.phong && a.phong_size == b.phong_size &&
-           a.specular == b.specular && a.roughness == b.roughness && a.metallic == b.metallic &&
-           a.reflection_max == b.reflection_max && a.reflection_min == b.reflection_min;
+    return a.ambient == b.ambient && a.emission == b.emission &&
+           a.brightest_diffuse() == b.brightest_diffuse() && a.brilliance == b.brilliance &&
+           a.brightest_phong() == b.brightest_phong() && a.phong_size == b.phong_size &&
+           a.brightest_specular() == b.brightest_specular() && a.roughness == b.roughness &&
+           a.metallic == b.metallic && a.reflection_max == b.reflection_max &&
+           a.reflection_min == b.reflection_min;
 }
 
 // Whether a shape of the same material has the same warnings: those that the material does not decide are of
@@ -44,39 +46,39 @@ std::uint32_t Reader::material_of(const Inherited& own, const Token& at) {
     const Finish& f = texture.finish;
     const std::array<double, 5>& p = texture.pigment.color;
     const double glass = glass_of(own);
-    const MaterialKey key{{p[0],
-                           p[1],
-                           p[2],
-                           p[3],
-                           p[4],
-                           f.ambient.r,
-                           f.ambient.g,
-                           f.ambient.b,
-                           f.diffuse,
-                           f.phong,
-                           f.phong_size,
-                           f.specular,
-                           f.roughness,
-                           f.emission.r,
-                           f.emission.g,
-                           f.emission.b,
-                           f.brilliance,
-                           f.metallic,
-                           f.reflection_min.r,
-                           f.reflection_min.g,
-                           f.reflection_min.b,
-                           f.reflection_max.r,
-                           f.reflection_max.g,
-                           f.reflection_max.b,
-                           f.reflection_metallic,
-                           f.reflection_falloff,
-                           f.crand,
-                           f.diffuse_back,
-                           own.is_no_shadow ? 1.0 : 0.0,
-                           f.reflection_exponent,
-                           f.reflection_fresnel ? 1.0 : 0.0,
-                           f.conserve_energy ? 1.0 : 0.0,
-                           glass > 0 ? own.interior->ior : 0.0}};
+    const NumberTable<33>::Key key{p[0],
+                                   p[1],
+                                   p[2],
+                                   p[3],
+                                   p[4],
+                                   f.ambient.r,
+                                   f.ambient.g,
+                                   f.ambient.b,
+                                   f.brightest_diffuse(),
+                                   f.brightest_phong(),
+                                   f.phong_size,
+                                   f.brightest_specular(),
+                                   f.roughness,
+                                   f.emission.r,
+                                   f.emission.g,
+                                   f.emission.b,
+                                   f.brilliance,
+                                   f.metallic,
+                                   f.reflection_min.r,
+                                   f.reflection_min.g,
+                                   f.reflection_min.b,
+                                   f.reflection_max.r,
+                                   f.reflection_max.g,
+                                   f.reflection_max.b,
+                                   f.reflection_metallic,
+                                   f.reflection_falloff,
+                                   f.crand,
+                                   f.diffuse_back,
+                                   own.is_no_shadow ? 1.0 : 0.0,
+                                   f.reflection_exponent,
+                                   f.reflection_fresnel ? 1.0 : 0.0,
+                                   f.conserve_energy ? 1.0 : 0.0,
+                                   glass > 0 ? own.interior->ior : 0.0};
     const bool is_last = last_material_ != k_none && key == last_key_;
     if (is_last && is_last_plain_ && has_nothing_else(texture, own.interior, own.is_merge))
         return last_material_;
@@ -84,24 +86,23 @@ std::uint32_t Reader::material_of(const Inherited& own, const Token& at) {
     is_last_plain_ = has_nothing_else(texture, own.interior, own.is_merge);
     if (is_last) return last_material_;
     last_key_ = key;
-    const auto known = materials_.lower_bound(key);
-    if (known != materials_.end() && known->first == key) return last_material_ = known->second;
+    if (const std::uint32_t* known = materials_.find(key)) return last_material_ = *known;
     Material m;
     const Color pigment{p[0], p[1], p[2]};
     m.color = pigment;
     m.ambient = times(p, f.ambient);
     m.emission = times(p, f.emission);
-    m.diffuse = pigment * f.diffuse;
+    m.diffuse = pigment * f.brightest_diffuse();
     m.specular = {0, 0, 0};
     m.brilliance = std::max(f.brilliance, 0.0);
     m.metallic = std::clamp(f.metallic, 0.0, 1.0);
     if (f.specular > 0 && f.roughness > 0) {
-        m.specular = Color{1, 1, 1} * f.specular;
+        m.specular = Color{1, 1, 1} * f.brightest_specular();
         m.shininess = std::min(1 / f.roughness, 1e9);
     }
     // phong at or below 0 is no highlight.
     if (f.phong > 0) {
-        m.phong = Color{1, 1, 1} * f.phong;
+        m.phong = Color{1, 1, 1} * f.brightest_phong();
         m.phong_shininess = std::clamp(f.phong_size, 0.0, 1e9);
     }
     if (const double most = largest(f.reflection_max); most > 0) {
@@ -126,7 +127,7 @@ std::uint32_t Reader::material_of(const Inherited& own, const Token& at) {
     last_material_ = static_cast<std::uint32_t>(scene_.materials.size());
     note(scene_.material_texts, last_material_, place_of(call_place(at)));
     scene_.materials.push_back(m);
-    materials_.emplace_hint(known, key, last_material_);
+    materials_.add(key, last_material_);
     return last_material_;
 }
 

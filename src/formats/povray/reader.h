@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "formats/load_state.h"
+#include "formats/number_table.h"
 #include "formats/povray/lexer.h"
 #include "formats/povray/value.h"
-#include "math/number.h"
 
 namespace glint::povray {
 
@@ -236,6 +236,7 @@ class Reader {
     // colors.cpp
     bool begins_color(const Token& token);
     std::array<double, 5> color(bool from_numbers);
+    double of_srgb(double c) const;
     Numbers color_value();
 
     // textures.cpp
@@ -364,6 +365,7 @@ class Reader {
 
     // tiny.cpp
     void check_size();
+    void check_bailout();
 
     // glass.cpp
     double glass_of(const Inherited& own) const;
@@ -418,6 +420,7 @@ class Reader {
     std::array<double, 5> background_{};
     Color ambient_light_{1, 1, 1};
     CountedVector<ParallelLight> parallel_lights_;
+    std::optional<Token> high_bailout_;   // adc_bailout above 1/255
     std::optional<Token> no_reflection_;  // the first object with it
     CountedVector<std::shared_ptr<const Clip>> clips_;
     CountedVector<ShapeInteriors> interiors_;  // in the order of the shapes
@@ -425,13 +428,8 @@ class Reader {
     CountedVector<std::uint32_t> glass_;  // shapes that refract
     Token glass_at_;                      // the last of them
     std::optional<CameraItems> camera_, camera_default_;
-    struct MaterialKey {
-        std::array<double, 33> values{};
-        bool operator==(const MaterialKey& other) const { return values == other.values; }
-        bool operator<(const MaterialKey& other) const { return number::comes_before(values, other.values); }
-    };
-    CountedMap<MaterialKey, std::uint32_t> materials_;  // ordered: no choice of numbers makes it slow
-    MaterialKey last_key_;
+    NumberTable<33> materials_;
+    NumberTable<33>::Key last_key_{};
     std::uint32_t last_material_ = k_none;
     bool is_last_plain_ = false;  // its shape had no warnings but those of the material
     Token last_place_token_;

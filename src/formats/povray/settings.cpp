@@ -135,7 +135,10 @@ void Reader::read_global_settings() {
                                 static_cast<int>(std::clamp(number() - 1, 0.0, 1.0 * k_max_reflections))));
                 break;
             case Word::k_adc_bailout:
-                set("min_weight", item, fmt::format("{}", std::clamp(number(), 0.0, 1.0)));
+                if (const double least = std::clamp(number(), 0.0, 1.0); !failed_) {
+                    set("min_weight", item, fmt::format("{}", least));
+                    high_bailout_ = least > 1.01 / 255 ? std::optional(item) : std::nullopt;
+                }
                 break;
             case Word::k_ambient_light: {
                 const std::array<double, 5> c = color(true);
@@ -223,6 +226,7 @@ void Reader::finish_settings() {
     check_glass();
     check_clips();
     check_size();
+    check_bailout();
     use_interiors();
     use_gamma();
     const bool is_new = version_.value_or(0) >= 3.7;

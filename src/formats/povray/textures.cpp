@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "formats/povray/reader.h"
 #include "formats/povray_keywords.h"
+#include "math/elementary.h"
 
 namespace glint::povray {
 
@@ -59,6 +60,17 @@ void Reader::read_pigment(Pigment& pigment) {
     }
 }
 
+// The factors of `albedo` are measured: with them a white surface sends back that share of the light.
+double Finish::brightest_diffuse() const { return diffuse_albedo ? diffuse * (brilliance + 1) / 2 : diffuse; }
+
+double Finish::brightest_phong() const { return phong_albedo ? phong * (phong_size + 1) / 2 : phong; }
+
+double Finish::brightest_specular() const {
+    if (!specular_albedo || !(roughness > 0)) return specular;
+    const double exponent = 1 / roughness;
+    return specular * (exponent + 2) / (4 * (2 - pow(2, -exponent / 2)));
+}
+
 void Reader::read_finish(Finish& finish) {
     const Deeper deeper(*this);
     if (!deeper.ok || !expect('{')) return;
@@ -72,7 +84,7 @@ void Reader::read_finish(Finish& finish) {
                 finish.emission = rgb_of(color(true));
                 break;
             case Word::k_diffuse:
-                if (!begins_number(peek())) take();  // albedo
+                if (!begins_number(peek())) finish.diffuse_albedo = take().kind == TokenKind::word;
                 finish.diffuse = number();
                 finish.diffuse_back = accept(',') ? number() : 0;
                 break;
@@ -80,14 +92,14 @@ void Reader::read_finish(Finish& finish) {
                 finish.brilliance = number();
                 break;
             case Word::k_phong:
-                if (!begins_number(peek())) take();
+                if (!begins_number(peek())) finish.phong_albedo = take().kind == TokenKind::word;
                 finish.phong = number();
                 break;
             case Word::k_phong_size:
                 finish.phong_size = number();
                 break;
             case Word::k_specular:
-                if (!begins_number(peek())) take();
+                if (!begins_number(peek())) finish.specular_albedo = take().kind == TokenKind::word;
                 finish.specular = number();
                 break;
             case Word::k_roughness:

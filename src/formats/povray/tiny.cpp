@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes so small that POV-Ray's fixed tolerances show.
+// What differs from POV-Ray by the numbers of the whole scene: sizes below its fixed tolerances, adc_bailout.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -48,6 +48,15 @@ void Reader::check_size() {
                          "below {} units, and "
                          "the picture will differ; scale the scene up to compare",
                          *size, has_mirrors ? "the mirrors" : "the shadows", limit));
+}
+
+// POV-Ray compares the product of the reflections at their greatest angles, glint the product of what they
+// are (measured; by default it shows little).
+void Reader::check_bailout() {
+    if (!high_bailout_) return;
+    const auto turns = [](const Material& m) { return m.mirror_falloff > 0 && m.mirror_min < m.mirror; };
+    if (std::any_of(scene_.materials.begin(), scene_.materials.end(), turns))
+        report({"adc_bailout", "with reflections by the angle", *high_bailout_});
 }
 
 }  // namespace glint::povray

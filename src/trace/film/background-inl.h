@@ -25,6 +25,12 @@ HWY_INLINE bool is_background_uniform(const WorldParts& world) {
     return !has_gradient(world) && world.interiors.cutting.empty();
 }
 
+/// Whether the rays at the limit of reflections see the part of the background that is in the direction of
+/// the rays before them, seen from where these start (Tachyon).
+HWY_INLINE bool sees_back(const WorldParts& world) {
+    return has_gradient(world) && world.conventions.limit == LimitRule::background;
+}
+
 /// The color of rays that hit nothing, without gradient.
 HWY_INLINE Color miss_color(const WorldParts& world) {
     return world.settings.shading == Shading::normals ? Color{0, 0, 1} : world.background;

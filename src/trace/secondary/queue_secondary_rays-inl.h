@@ -7,6 +7,7 @@
 #define GLINT_TRACE_QUEUE_SECONDARY_RAYS_INL_H_
 #endif
 
+#include "trace/film/background-inl.h"
 #include "trace/rays/ray_hash-inl.h"
 #include "trace/record-inl.h"
 #include "trace/secondary/ray_weights-inl.h"
@@ -112,6 +113,16 @@ HWY_INLINE void go_straight(const WorldParts& world, const SurfaceBatch& surface
     rays.passed = rays.passed + select(through, one, zero);
 }
 
+/// Sets the rays at the limit of reflections where sees_back(): they are the rays before them.
+HWY_INLINE void go_back(const SurfaceBatch& surfaces, int h, LaneMask<double> at_limit, SecondaryRays& rays) {
+    const Vector3<Doubles> incoming = load_vector3(surfaces.incoming, h);
+    const Vector3<Doubles> start =
+        load_vector3(surfaces.point, h) - incoming * load(surfaces.hit_t.data() + h);
+    rays.origin = select_vector3(at_limit, start, rays.origin);
+    rays.direction = select_vector3(at_limit, incoming, rays.direction);
+    rays.start = select(at_limit, Doubles(0), rays.start);
+}
+
 /// Queues the mirror and glass rays of the vector of surfaces at index h. plain: are_plain(). faulty:
 /// mirror rays have the world's fault.
 template <bool plain, bool faulty = false>
@@ -139,6 +150,7 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
         weight_straight_rays(world, transparency_of(world, material, surfaces, h), through, weight, b);
     // If plain, none are: queue_secondary_rays() has returned.
     const auto at_limit = plain ? through : are_at_limit(world, surfaces, h);
+    const bool back = !plain && sees_back(world) && any(at_limit);
     if (!plain && any(at_limit))
         weight_rays_at_limit(world, material, surfaces, h, a, at_limit, through, weight, b);
     const auto may_start =
@@ -174,6 +186,7 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
         if constexpr (faulty)
             ray = faulty_mirror_ray(surface, ray, normal_lengths(world, surfaces, h), world.fault, rules);
         start(ray);
+        if (back) go_back(surfaces, h, at_limit, rays);
         if (beer) rays.medium = select(from_inside, own, load(surfaces.medium.data() + h));
         if (hashed) rays.path = child_paths(surfaces, h, false);
         push<plain>(secondary.rays, rays, reflected, surfaces, beer);
@@ -195,6 +208,7 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
         if (transparent) rays.medium = select(through, load(surfaces.medium.data() + h), rays.medium);
     }
     if (transparent && any(through)) go_straight(world, surfaces, h, through, at_limit, rays);
+    if (back) go_back(surfaces, h, at_limit, rays);
     if (tracked) rays.interiors = passed_interiors(world, surfaces, h);
     if (hashed) rays.path = child_paths(surfaces, h, true);
     push<plain>(secondary.transmitted, rays, transmitted, surfaces, beer);

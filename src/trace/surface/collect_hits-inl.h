@@ -68,7 +68,7 @@ HWY_INLINE void append_hits(const WorldParts& world, const RayBatch& rays, const
     if (!plain && rays.tracked)
         compress_store(load(rays.interiors.data() + ray), hit, surfaces.interiors.data() + h);
     if (transparent) append_transparent_hits(rays, ray, t, hit, origin, surfaces);
-    if (beer || (!plain && world.fog)) {
+    if (beer || (!plain && (world.fog || sees_back(world)))) {
         const Doubles start = transparent && !camera ? load(rays.start.data() + ray) : Doubles(0);
         compress_store(t - start, hit, surfaces.hit_t.data() + h);
     }
@@ -88,7 +88,7 @@ inline void collect_hits(const WorldParts& world, const RayBatch& rays, const Hi
     surfaces.hashed = rays.hashed;
     surfaces.tracked = rays.tracked;
     surfaces.count = surfaces.groups = 0;
-    const bool plain = !rays.alpha && !rays.transparent && !rays.hashed && !world.fog;
+    const bool plain = !rays.alpha && !rays.transparent && !rays.hashed && !world.fog && !sees_back(world);
     std::size_t group = rays.group_of(hits.first + range.begin);
     for (int i = range.begin; i < range.end; ++group) {
         const int end = number::min(rays.group_end(group) - hits.first, range.end);
