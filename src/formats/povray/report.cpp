@@ -51,7 +51,7 @@ void SceneBuilder::report(const Missing& missing) {
     const std::string key = fmt::format("refused {}", missing.name);
     if (std::find(warned_.begin(), warned_.end(), key) != warned_.end()) return;
     warned_.push_back(key);
-    reading_.diagnostics.error(
+    reading_.diagnostics.refuse(
         reading_.texts[missing.at.text], missing.at.offset,
         std::max<std::size_t>(stream_.text_of(missing.at).size(), 1),
         fmt::format("glint does not render {} of POV-Ray{}", what(missing), advice(missing)));
