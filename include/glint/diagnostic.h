@@ -53,6 +53,8 @@ struct Diagnostic {
     std::uint32_t index = 0;
     /// The number of objects that this warning says are left out (LoadOptions::skip_unsupported).
     std::uint32_t left_out = 0;
+    /// Whether this error is about something that LoadOptions::skip_unsupported leaves out.
+    bool can_skip = false;
 };
 
 /// The item as a path in the Scene: "lights[1]", "camera", "settings". Empty if the message is about none.

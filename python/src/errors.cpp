@@ -46,6 +46,8 @@ void bind_errors(py::module_& m) {
         .def_property_readonly(
             "item", [](const Diagnostic& d) { return item_path(d); },
             "The item of the scene: 'lights[1]', 'camera'; empty if the message is about none.")
+        .def_readonly("can_skip", &Diagnostic::can_skip,
+                      "Whether this error is about something that skip_unsupported leaves out.")
         .def("__str__", [](const Diagnostic& d) { return without_newline(to_string(d)); })
         .def("__repr__", [](const Diagnostic& d) {
             return "<glint.Diagnostic " + without_newline(to_string(d)).substr(0, 200) + ">";

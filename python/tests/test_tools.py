@@ -48,8 +48,9 @@ def test_memory_errors_say_what_is_needed():
 
 def test_what_glint_does_not_render_is_left_out_if_asked_for(tmp_path):
     text = "torus { 1, .2 } torus { 2, .1 } sphere { 0, 1 }"
-    with pytest.raises(glint.GlintError, match="does not render `torus`"):
-        glint.loads(text, "povray")
+    with pytest.raises(glint.GlintError, match="does not render `torus`") as caught:
+        glint.loads(text + " sphere { 0 }", "povray")
+    assert [one.can_skip for one in caught.value.diagnostics] == [True, False]
     with pytest.warns(UserWarning, match="left out 2 objects that glint does not render: `torus`"):
         scene = glint.loads(text, "povray", skip_unsupported=True)
     assert len(scene.shapes) == 1

@@ -89,6 +89,13 @@ void Diagnostics::error(InputText where, std::size_t offset, std::size_t length,
     if (!full()) add(make_diagnostic(Severity::error, where, offset, length, std::move(message)));
 }
 
+void Diagnostics::refuse(InputText where, std::size_t offset, std::size_t length, std::string message) {
+    if (full()) return;
+    Diagnostic d = make_diagnostic(Severity::error, where, offset, length, std::move(message));
+    d.can_skip = true;
+    add(std::move(d));
+}
+
 void Diagnostics::warn(InputText where, std::size_t offset, std::size_t length, std::string message) {
     if (warnings_ < k_max_warnings)
         add(make_diagnostic(Severity::warning, where, offset, length, std::move(message)));

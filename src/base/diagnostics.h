@@ -41,6 +41,8 @@ class Diagnostics {
     explicit Diagnostics(std::uint32_t max_errors = 20) : max_errors_(max_errors) {}
     void add(Diagnostic diagnostic);
     void error(InputText where, std::size_t offset, std::size_t length, std::string message);
+    /// An error about something that LoadOptions::skip_unsupported leaves out.
+    void refuse(InputText where, std::size_t offset, std::size_t length, std::string message);
     void warn(InputText where, std::size_t offset, std::size_t length, std::string message);
     void warn_once(std::string_view key, InputText where, std::size_t offset, std::size_t length,
                    std::string message);

@@ -52,6 +52,11 @@ SmallSize small_size(const RenderSettings& settings, std::int32_t longest) {
     return {scaled(settings.width), scaled(settings.height)};
 }
 
+void set_size(WorldParts& world, SmallSize size) {
+    world.settings.width = size.width;
+    world.settings.height = size.height;
+}
+
 std::size_t count_differing(const Image& a, const Image& b, double least) {
     if (a.rgb.size() != b.rgb.size()) return 0;
     std::size_t count = 0;
@@ -86,12 +91,10 @@ std::string CheckContext::coarse_grid(std::int32_t longest) const {
                        size.width, size.height, shapes_per_ray_);
 }
 
-// Of the whole view, whatever proportions so few pixels have: the camera stays that of the picture's size.
 Result<Rendering> CheckContext::render_at(World world, SmallSize size) const {
-    RenderSettings& settings = WorldAccess::own(world).settings;
-    settings.width = size.width;
-    settings.height = size.height;
-    settings.samples = 1;
+    WorldParts& own = WorldAccess::own(world);
+    set_size(own, size);
+    own.settings.samples = 1;
     RenderOptions options;
     options.threads = options_.threads;
     options.cancel = options_.cancel;

@@ -26,6 +26,9 @@ struct SmallSize {
     std::int32_t width, height;
 };
 SmallSize small_size(const RenderSettings& settings, std::int32_t longest);
+/// A picture of this size shows the whole view, whatever proportions so few pixels have: the camera stays
+/// that of the picture's own size.
+void set_size(WorldParts& world, SmallSize size);
 
 /// What a finding is about, and where that is written.
 struct FindingPlace {

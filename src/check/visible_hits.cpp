@@ -34,13 +34,6 @@ bool shines_towards(const Light& light, Vec3 point) {
            glint::length(way) * cos_degrees(light.outer_angle);
 }
 
-WorldParts with_size(const WorldParts& world, SmallSize size) {
-    WorldParts changed = world;
-    changed.settings.width = size.width;
-    changed.settings.height = size.height;
-    return changed;
-}
-
 PixelPositions pixels_of(SmallSize size, double x, double y) {
     PixelPositions pixels;
     for (std::int32_t row = 0; row < size.height; ++row)
@@ -56,11 +49,14 @@ bool has_secondary_rays(const WorldParts& world, const SurfaceHit& h) {
 }  // namespace
 
 RayList camera_rays(const WorldParts& world, SmallSize size) {
-    return camera_rays(with_size(world, size), pixels_of(size, 0, 0));
+    WorldParts of_size = world;
+    set_size(of_size, size);
+    return camera_rays(of_size, pixels_of(size, 0, 0));
 }
 
 SurfaceRecord follow_picture(const WorldParts& world, SmallSize size, double x, double y, int threads) {
-    const WorldParts of_size = with_size(world, size);
+    WorldParts of_size = world;
+    set_size(of_size, size);
     const PixelPositions pixels = pixels_of(size, x, y);
     SurfaceRecord found = follow_pixels(of_size, pixels, 1, threads);
     std::vector<std::size_t> with_rays;

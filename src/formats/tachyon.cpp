@@ -287,9 +287,10 @@ void TachyonReader::leave_out(std::string_view what) {
         return reading_.left_out.add(fmt::format("{} of Tachyon", what), text_.place, object_.offset,
                                      object_.length);
     }
-    error(object_, fmt::format("glint does not render {}; the option skip-unsupported leaves it out "
-                               "and draws the rest",
-                               what));
+    reading_.diagnostics.refuse(
+        text_.place, object_.offset, object_.length,
+        fmt::format("glint does not render {}; the option skip-unsupported leaves it out and draws the rest",
+                    what));
 }
 
 // What objects have: they are drawn without it, or it is an error. pronoun: "it" or "them".
@@ -299,9 +300,10 @@ void TachyonReader::draw_without(const Token& at, std::string_view what, std::st
             fmt::format("tachyon without {}", what), text_.place, at.offset, at.length,
             fmt::format("glint does not render {}: the objects are drawn without {}", what, pronoun));
     }
-    error(at,
-          fmt::format("glint does not render {}; the option skip-unsupported draws the objects without {}",
-                      what, pronoun));
+    reading_.diagnostics.refuse(
+        text_.place, at.offset, at.length,
+        fmt::format("glint does not render {}; the option skip-unsupported draws the objects without {}",
+                    what, pronoun));
 }
 
 void set_tachyon_defaults(Scene& scene) {

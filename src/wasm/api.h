@@ -35,8 +35,8 @@ void GLINT_WASM_EXPORT(glint_close)(GlintScene* scene);
 std::int32_t GLINT_WASM_EXPORT(glint_prepare)(GlintScene* scene, const char* request, std::uint32_t length);
 
 /// The result of reading, as JSON: {"ready": true, "width": 640, "height": 480, "diagnostics":
-/// [{"severity", "file", "line", "column", "length", "message", "text"}]}; lines and columns as in
-/// Diagnostic, text as from to_string(). A note is reported as a "warning". Width and height are those of
+/// [{"severity", "file", "line", "column", "length", "message", "can_skip", "text"}]}; lines and columns as
+/// in Diagnostic, text as from to_string(). A note is reported as a "warning". Width and height are those of
 /// the last glint_prepare; "missing" lists the included texts that the request does not have; "error" is
 /// there if the last open, prepare or render failed.
 const char* GLINT_WASM_EXPORT(glint_report)(const GlintScene* scene);

@@ -149,6 +149,7 @@ Json to_json(const Diagnostic& d) {
             {"message", d.message},
             {"item", item_json(d.item)},
             {"index", d.index},
+            {"can_skip", d.can_skip},
             {"text", to_string(d)}};
 }
 

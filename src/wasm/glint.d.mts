@@ -18,6 +18,8 @@ export interface Diagnostic extends Place {
     item: 'camera' | 'background' | 'setting' | 'light' | 'material' | 'transform' | 'shape' | 'fog' | null;
     /** Its index in the scene's list of lights, materials, transforms, shapes or settings; else 0. */
     index: number;
+    /** Whether this error is about something that `skipUnsupported` leaves out. */
+    can_skip: boolean;
     /** The whole message with the line and a caret, as the command prints it. */
     text: string;
 }

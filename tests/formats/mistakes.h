@@ -45,6 +45,8 @@ inline void expect_messages(const BadText& mistake, const char* file, const char
         EXPECT_EQ(d.line, places[i].first) << d.message;
         EXPECT_EQ(d.column, places[i].second) << d.message;
         EXPECT_EQ(d.file, file);
+        EXPECT_EQ(d.can_skip, d.message.find("the option skip-unsupported") != std::string::npos)
+            << d.message;
         // The source line is that of the place, and the caret is below the place.
         EXPECT_NE(text.find(d.source_line), std::string::npos) << d.source_line;
         EXPECT_EQ(d.caret, d.column - 1) << d.message;

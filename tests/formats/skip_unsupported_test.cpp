@@ -2,6 +2,9 @@
 // LoadOptions::skip_unsupported: what glint does not render is left out, counted and named.
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "formats/load_text.h"
 #include "glint/scene.h"
 
@@ -44,6 +47,18 @@ TEST(SkipUnsupported, LeavesOutPovRaysShapes) {
     EXPECT_NE(said.find("4:38: warning: left out 1 object that glint does not render: `torus` (a shape)"),
               std::string::npos)
         << said;
+}
+
+TEST(SkipUnsupported, IsWhatErrorsSayThatItLeavesOut) {
+    const auto can_skip = [](const Result<Scene>& result) {
+        std::vector<bool> out;
+        for (const Diagnostic& d : result.diagnostics) out.push_back(d.can_skip);
+        return out;
+    };
+    const std::string text = "torus { 1, .2 }\nsphere { 0, 1 normal { bumps 1 } }\n",
+                      mistake = "sphere { 0 }\n";
+    EXPECT_EQ(can_skip(load_rest(text + mistake, "povray", false)), (std::vector{true, false, false}));
+    EXPECT_EQ(can_skip(load_rest(text, "povray")), (std::vector{false, false}));
 }
 
 TEST(SkipUnsupported, KeepsTheLookOfALight) {

@@ -60,6 +60,10 @@ test('objects that glint does not render can be left out', () => withPage(async 
     assert.match(await page.locator('.message.warning').innerText(), /left out 1 object that glint does not render: `torus`/);
     await page.getByRole('checkbox', {name: 'leave out what glint does not render'}).uncheck();
     await settled(page, 'error');
+    // A mistake cannot be left out.
+    await paste(page, 'sphere { 0 }');
+    await page.waitForFunction(() => document.querySelector('.message.error')?.textContent.includes('expected'));
+    assert.equal(await page.getByRole('checkbox', {name: 'leave out what glint does not render'}).count(), 0);
 }));
 
 test('undo and redo, of typing and of settings beside the text', () => withPage(async (page) => {

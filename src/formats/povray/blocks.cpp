@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "formats/povray/reader.h"
+#include "formats/povray/texture_parser.h"
 
 namespace glint::povray {
 
@@ -21,9 +21,9 @@ bool MissingList::has_error() const {
 }
 
 // The rest of a block, up to its `}`.
-void Reader::skip_rest() {
+void TextureParser::skip_rest() {
     int open = 0;
-    while (!failed_) {
+    while (!failed()) {
         const Token& token = peek();
         if (token.kind == TokenKind::end) return expected("`}`");
         if (token.is('{')) ++open;
@@ -32,23 +32,23 @@ void Reader::skip_rest() {
     }
 }
 
-void Reader::skip_block() {
+void TextureParser::skip_block() {
     if (!expect('{')) return;
     skip_rest();
     expect('}');
 }
 
-bool Reader::is_opaque(Word word) {
+bool TextureParser::is_opaque(Word word) {
     return word == Word::k_normal || word == Word::k_interior || word == Word::k_color_map ||
            word == Word::k_colour_map || word == Word::k_function || word == Word::k_spline ||
            word == Word::k_rainbow || word == Word::k_sky_sphere || word == Word::k_fog;
 }
 
 // A block that is not rendered, after its word.
-std::shared_ptr<const Opaque> Reader::read_opaque(Word word, const Token& at) {
+std::shared_ptr<const Opaque> TextureParser::read_opaque(Word word, const Token& at) {
     if (word == Word::k_interior) return make_counted<const Opaque>(read_interior(at));
     if (word == Word::k_function && peek().is('(')) {
-        while (!failed_ && !accept(')')) {
+        while (!failed() && !accept(')')) {
             if (peek().kind == TokenKind::end) expected("`)`");
             take();
         }
@@ -58,10 +58,10 @@ std::shared_ptr<const Opaque> Reader::read_opaque(Word word, const Token& at) {
 }
 
 // { [identifier] items }, after `interior`
-Opaque Reader::read_interior(const Token& at) {
+Opaque TextureParser::read_interior(const Token& at) {
     Opaque out{Word::k_interior, at, 1, {}};
     if (!expect('{')) return out;
-    while (!failed_ && !accept('}')) {
+    while (!failed() && !accept('}')) {
         const Token item = take();
         const std::string_view name = item.kind == TokenKind::word ? text_of(item) : std::string_view();
         const Value* value =
@@ -91,12 +91,12 @@ Opaque Reader::read_interior(const Token& at) {
 }
 
 // { [identifier] texture interior transforms }
-MaterialValue Reader::read_material() {
+MaterialValue TextureParser::read_material() {
     MaterialValue material;
     const Deeper deeper(*this);
     if (!deeper.ok || !expect('{')) return material;
     std::optional<Affine> map;
-    while (!failed_ && !accept('}')) {
+    while (!failed() && !accept('}')) {
         if (read_transform_item(map)) continue;
         const Token item = take();
         if (item.word() == Word::k_texture) {

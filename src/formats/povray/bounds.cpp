@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Whether a clipping object holds a whole object, so that it cuts nothing.
 #include <algorithm>
-#include <array>
 
-#include "formats/povray/reader.h"
+#include "formats/povray/clip.h"
 #include "math/transform.h"
 
 namespace glint::povray {
@@ -61,8 +60,7 @@ Bounds own_bounds(const Object& object) {
 
 }  // namespace
 
-// The box of an object with its map; false for planes and groups.
-bool Reader::bounds_of(const Object& object, Vec3& lo, Vec3& hi) {
+bool bounds_of(const Object& object, Vec3& lo, Vec3& hi) {
     const Bounds own = own_bounds(object);
     if (!own.is_known) return false;
     Bounds outer;
@@ -76,7 +74,7 @@ bool Reader::bounds_of(const Object& object, Vec3& lo, Vec3& hi) {
     return true;
 }
 
-bool Reader::holds(const Object& clip, const Object& object) {
+bool holds(const Object& clip, const Object& object) {
     Bounds outer;
     if (clip.map || !clip.missing.empty() || !bounds_of(object, outer.lo, outer.hi)) return false;
     if (clip.kind == ObjectKind::box) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "formats/povray/reader.h"
+#include "formats/povray/clip.h"
 #include "math/number.h"
 #include "math/transform.h"
 
@@ -58,12 +58,10 @@ std::array<Line, 4> picture_corners(const Camera& camera) {
 
 }  // namespace
 
-// The half spaces that cut a shape, for clips that are boxes or planes.
-std::shared_ptr<const Clip> Reader::clip_of(const Object& clip, const Object& object, const Token& at) {
+std::shared_ptr<const Clip> clip_of(const Object& clip, const Object& object, const Missing& missing) {
     auto out = make_counted<Clip>();
     out->map = object.map;
-    out->missing = missing(at, "clipped_by");
-    out->missing.is_error = !reading_.options.skip_unsupported;
+    out->missing = missing;
     Vec3 lo, hi;
     if (clip.map || !clip.missing.empty() || !bounds_of(object, lo, hi)) return out;
     const auto least = [](double n, double a, double b) { return std::max(n * a, n * b); };
@@ -77,30 +75,22 @@ std::shared_ptr<const Clip> Reader::clip_of(const Object& clip, const Object& ob
     return out;
 }
 
-// Clips are no error if they cut only what is outside the picture, and what is cut casts no shadow.
-void Reader::check_clips() {
-    const auto corners = picture_corners(scene_.camera);
-    const auto& all = scene_.materials;
-    const bool has_mirrors = std::any_of(
-        all.begin(), all.end(), [](const Material& m) { return m.mirror > 0 || m.transmission > 0; });
-    for (const auto& clip : clips_) {
-        bool is_seen = clip->halves.empty() || has_mirrors;
-        for (const HalfSpace& half : clip->halves) {
-            for (const Line& line : corners) {
-                // The corner ray to beyond the shape: straight, so that its ends decide.
-                const Vec3 from = scene_.camera.position + line.offset;
-                const double far = (length(from) + clip->reach) / length(line.way);
-                const double most = std::max(dot(half.n, from), dot(half.n, from + line.way * far));
-                const double size = number::abs(half.d) + far * length(line.way);
-                is_seen = is_seen || !(most <= half.d + 1e-9 * size);
-            }
+bool is_seen(const Clip& clip, const Scene& scene) {
+    if (clip.halves.empty()) return true;
+    for (const HalfSpace& half : clip.halves) {
+        for (const Line& line : picture_corners(scene.camera)) {
+            // The corner ray to beyond the shape: straight, so that its ends decide.
+            const Vec3 from = scene.camera.position + line.offset;
+            const double far = (length(from) + clip.reach) / length(line.way);
+            const double most = std::max(dot(half.n, from), dot(half.n, from + line.way * far));
+            const double size = number::abs(half.d) + far * length(line.way);
+            if (!(most <= half.d + 1e-9 * size)) return true;
         }
-        if (is_seen) report(clip->missing);
     }
+    return false;
 }
 
-// False if the mesh cannot be cut by this object.
-bool Reader::clip_mesh(const Object& clip, Object& object) {
+bool clip_mesh(const Object& clip, Object& object) {
     const std::vector<HalfSpace> halves = half_spaces(clip);
     if (object.kind != ObjectKind::mesh || object.map || clip.map || !clip.missing.empty() || halves.empty())
         return false;

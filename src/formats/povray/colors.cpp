@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Colors: rgb, rgbft, srgb, components by name, identifiers.
-#include <fmt/format.h>
-
-#include "formats/povray/reader.h"
+#include "formats/povray/value_parser.h"
 #include "math/elementary.h"
 
 namespace glint::povray {
@@ -14,13 +12,13 @@ double decoded(double c) { return c <= 0.04045 ? c / 12.92 : pow((c + 0.055) / 1
 }  // namespace
 
 // The number whose byte in the picture is that of sRGB (measured with numbers of assumed_gamma).
-double Reader::of_srgb(double c) const {
+double ValueParser::of_srgb(double c) const {
     if (is_gamma_srgb_) return c;
     const double linear = decoded(c);
     return gamma_ && *gamma_ > 0 && linear > 0 ? pow(linear, 1 / *gamma_) : linear;
 }
 
-bool Reader::begins_color(const Token& token) {
+bool ValueParser::begins_color(const Token& token) {
     if (token.kind != TokenKind::word) return false;
     switch (token.word()) {
 #define GLINT_POV_WORD(word) case Word::k_##word:
@@ -33,7 +31,7 @@ bool Reader::begins_color(const Token& token) {
 }
 
 // A color; a number or a vector of three counts as one if `from_numbers`.
-std::array<double, 5> Reader::color(bool from_numbers) {
+std::array<double, 5> ValueParser::color(bool from_numbers) {
     std::array<double, 5> out{0, 0, 0, 0, 0};
     if (peek().word() == Word::k_color || peek().word() == Word::k_colour) {
         take();
@@ -41,7 +39,7 @@ std::array<double, 5> Reader::color(bool from_numbers) {
     }
     const Token first = peek();
     bool is_any = false;
-    while (!failed_) {
+    while (!failed()) {
         const Word word = peek().word();
         std::size_t component = 5;
         switch (word) {
@@ -92,7 +90,7 @@ std::array<double, 5> Reader::color(bool from_numbers) {
                 }
                 Numbers value = expression();
                 if (!value.is_color()) {
-                    if (!from_numbers && !failed_) {
+                    if (!from_numbers && !failed()) {
                         error(first, "expected a color (`rgb` before the numbers)");
                         return out;
                     }
@@ -110,7 +108,7 @@ std::array<double, 5> Reader::color(bool from_numbers) {
     return out;
 }
 
-Numbers Reader::color_value() {
+Numbers ValueParser::color_value() {
     Numbers value;
     value.v = color(true);
     value.terms = 5;

@@ -2,52 +2,58 @@
 // The directives that choose what is read: conditions and loops.
 #include <fmt/format.h>
 
-#include "formats/povray/reader.h"
+#include "formats/povray/directive_parser.h"
 
 namespace glint::povray {
+namespace {
+
+// Whether an `#end` belongs to the directive.
+bool begins_block(Word directive) {
+    switch (directive) {
+        case Word::k_if:
+        case Word::k_ifdef:
+        case Word::k_ifndef:
+        case Word::k_while:
+        case Word::k_for:
+        case Word::k_switch:
+        case Word::k_macro:
+            return true;
+        default:
+            return false;
+    }
+}
+
+bool is_within(double value, const Condition& condition) {
+    // POV-Ray's tolerance.
+    return condition.step > 0 ? value <= condition.end + 1e-10 : value >= condition.end - 1e-10;
+}
+
+}  // namespace
 
 // ( full expression )
-bool Reader::condition() {
+bool DirectiveParser::condition() {
     if (!expect('(')) return false;
     const Numbers value = full_expression();
     expect(')');
     // POV-Ray's limit for a number that counts as 0.
-    return !failed_ && !(value.v[0] < 1e-10 && value.v[0] > -1e-10);
+    return !failed() && !(value.v[0] < 1e-10 && value.v[0] > -1e-10);
 }
 
-void Reader::read_if(const Token& at, bool is_true) {
-    if (failed_) return;
+void DirectiveParser::read_if(const Token& at, bool is_true) {
+    if (failed()) return;
     conditions_.push_back({ConditionKind::branch, at, is_true});
     if (!is_true) skip_to_branch(false);
 }
 
-void Reader::read_ifdef(const Token& at, bool wanted) {
+void DirectiveParser::read_ifdef(const Token& at, bool wanted) {
     if (const Token open = take_raw(); !open.is('(')) {
         return error(open, fmt::format("expected `(`, found {}", describe(open)));
     }
     const bool is_defined = read_defined();
-    if (!failed_) read_if(at, is_defined == wanted);
+    if (!failed()) read_if(at, is_defined == wanted);
 }
 
-// NAME [indices] ), after `(`: whether it is declared.
-bool Reader::read_defined() {
-    const Token name = take_raw();
-    if (name.kind != TokenKind::word) {
-        error(name, fmt::format("expected a name, found {}", describe(name)));
-        return false;
-    }
-    bool is_defined = Names::is_reserved(name.name);
-    if (!is_defined) {
-        const Value* found = find_value(name.name);
-        Value value = found != nullptr ? *found : Value();
-        if (found != nullptr && peek().is('[')) value = read_element(name, std::move(value));
-        is_defined = !failed_ && !std::holds_alternative<std::monostate>(value);
-    }
-    expect(')');
-    return is_defined;
-}
-
-void Reader::read_else(const Token& at) {
+void DirectiveParser::read_else(const Token& at) {
     if (conditions_.size() <= frames_.back().conditions ||
         (conditions_.back().kind != ConditionKind::branch &&
          conditions_.back().kind != ConditionKind::choice)) {
@@ -61,18 +67,18 @@ void Reader::read_else(const Token& at) {
     }
 }
 
-void Reader::read_elseif(const Token& at) {
+void DirectiveParser::read_elseif(const Token& at) {
     if (conditions_.size() <= frames_.back().conditions || conditions_.back().kind != ConditionKind::branch) {
         return error(at, "this `#elseif` has no `#if`");
     }
     if (conditions_.back().is_done) return skip_to_branch(true);
     const bool is_true = condition();
-    if (failed_) return;
+    if (failed()) return;
     conditions_.back().is_done = is_true;
     if (!is_true) skip_to_branch(false);
 }
 
-void Reader::read_end(const Token& at) {
+void DirectiveParser::read_end(const Token& at) {
     if (conditions_.size() <= frames_.back().conditions) {
         return error(at, "this `#end` has nothing to end");
     }
@@ -95,26 +101,21 @@ void Reader::read_end(const Token& at) {
 }
 
 // The condition of the innermost #while is next.
-void Reader::run_while() {
-    if (condition() || failed_) return;
+void DirectiveParser::run_while() {
+    if (condition() || failed()) return;
     skip_to_branch(true);
     leave_condition();
 }
 
 // After skip_to_branch(true).
-void Reader::leave_condition() {
-    if (failed_) return;
+void DirectiveParser::leave_condition() {
+    if (failed()) return;
     ++frames_.back().at;
     conditions_.pop_back();
 }
 
-bool Reader::is_within(double value, const Condition& condition) const {
-    // POV-Ray's tolerance.
-    return condition.step > 0 ? value <= condition.end + 1e-10 : value >= condition.end - 1e-10;
-}
-
 // (NAME, from, to [, step])
-void Reader::read_for(const Token& at) {
+void DirectiveParser::read_for(const Token& at) {
     if (!expect('(')) return;
     const Token name = take_raw();
     if (name.kind != TokenKind::word || Names::is_reserved(name.name)) {
@@ -138,7 +139,7 @@ void Reader::read_for(const Token& at) {
     leave_condition();
 }
 
-void Reader::read_switch(const Token& at) {
+void DirectiveParser::read_switch(const Token& at) {
     if (!expect('(')) return;
     const double value = number();
     if (!expect(')')) return;
@@ -149,7 +150,7 @@ void Reader::read_switch(const Token& at) {
 }
 
 // #case (value), #range (from, to): read where the choice is open, and ignored after it has been made.
-void Reader::read_case(const Token& at) {
+void DirectiveParser::read_case(const Token& at) {
     if (conditions_.size() <= frames_.back().conditions || conditions_.back().kind != ConditionKind::choice) {
         return error(at, fmt::format("this `#{}` has no `#switch`", to_string(at.directive())));
     }
@@ -168,15 +169,62 @@ void Reader::read_case(const Token& at) {
 }
 
 // Leaves the innermost loop or #switch of this text.
-void Reader::read_break(const Token& at) {
+void DirectiveParser::read_break(const Token& at) {
     const std::size_t first = frames_.back().conditions;
     std::size_t i = conditions_.size();
     while (i > first && conditions_[i - 1].kind == ConditionKind::branch) --i;
     if (i == first) return error(at, "this `#break` is in no loop and no `#switch`");
-    while (conditions_.size() >= i && !failed_) {
+    while (conditions_.size() >= i && !failed()) {
         skip_to_branch(true);
         leave_condition();
     }
+}
+
+// Skips to the `#end`, or to the `#else`, `#elseif`, `#case` or `#range`, that belongs to the innermost
+// condition; it is the next token.
+void DirectiveParser::skip_to_branch(bool to_end_only) {
+    Frame& frame = frames_.back();
+    const Token* const tokens = frame.tokens;
+    const std::uint32_t from = frame.at;
+    std::size_t open = 0;
+    for (; frame.at < frame.end; ++frame.at) {
+        const Word word = tokens[frame.at].directive();
+        open += begins_block(word) ? 1 : 0;
+        switch (word) {
+            case Word::k_end:
+                if (open == 0) {
+                    spend(frame.at - from);
+                    return;
+                }
+                --open;
+                break;
+            case Word::k_else:
+            case Word::k_elseif:
+            case Word::k_case:
+            case Word::k_range:
+                if (open == 0 && !to_end_only) {
+                    spend(frame.at - from);
+                    return;
+                }
+                break;
+            default:
+                break;
+        }
+    }
+    spend(frame.at - from);
+    check_end_of_text();
+}
+
+// The index of the `#end` that ends what began before token `at`; `end` if there is none.
+std::uint32_t DirectiveParser::find_end(std::uint32_t at, std::uint32_t end) const {
+    const Token* const tokens = frames_.back().tokens;
+    std::size_t open = 0;
+    for (; at < end; ++at) {
+        const Word word = tokens[at].directive();
+        open += begins_block(word) ? 1 : 0;
+        if (word == Word::k_end && open-- == 0) return at;
+    }
+    return end;
 }
 
 }  // namespace glint::povray

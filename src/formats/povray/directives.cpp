@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Directives: declarations, macros, defaults, messages. Conditions and loops are in conditions.cpp.
+// Which directive it is; declarations, defaults and messages.
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "base/text.h"
-#include "formats/povray/reader.h"
+#include "formats/povray/directive_parser.h"
 
 namespace glint::povray {
 
-// The directive is in ahead_.
-void Reader::read_directive() {
-    const Token at = ahead_;
+void DirectiveParser::read_directive(const Token& at) {
     const Deeper deeper(*this);
     if (!deeper.ok) return;
     switch (at.directive()) {
@@ -66,7 +62,7 @@ void Reader::read_directive() {
 }
 
 // [deprecated [once] STRING] NAME [indices] = VALUE [;]
-void Reader::read_declare(bool is_local) {
+void DirectiveParser::read_declare(bool is_local) {
     Token name = take_raw();
     if (name.kind == TokenKind::word && text_of(name) == "deprecated") {
         name = take_raw();
@@ -83,25 +79,25 @@ void Reader::read_declare(bool is_local) {
         std::uint32_t target = name.name;
         Binding* binding = find_binding(target, depth());
         if (binding == nullptr || !std::holds_alternative<std::shared_ptr<Array>>(binding->value)) {
-            error(name, fmt::format("{} is not an array", quoted(names_.name(name.name))));
+            error(name, fmt::format("{} is not an array", quoted(name_of(name.name))));
         } else {
             const std::vector<std::uint32_t> indices = read_indices();
-            if (!failed_ && expect('=')) {
+            if (!failed() && expect('=')) {
                 Value assigned = value();
                 target = name.name;
-                binding = failed_ ? nullptr : find_binding(target, depth());
+                binding = failed() ? nullptr : find_binding(target, depth());
                 if (binding) assign_element(name, binding->value, indices, std::move(assigned));
             }
         }
     } else if (expect('=')) {
         Value assigned = value();
-        if (!failed_) assign(name.name, is_local, std::move(assigned));
+        if (!failed()) assign(name.name, is_local, std::move(assigned));
     }
-    if (!failed_) accept(';');
+    if (!failed()) accept(';');
     end_value();
 }
 
-void Reader::read_undef() {
+void DirectiveParser::read_undef() {
     const Token name = take_raw();
     if (name.kind != TokenKind::word || Names::is_reserved(name.name)) {
         return error(name, fmt::format("expected a name after `#undef`, found {}", describe(name)));
@@ -109,67 +105,39 @@ void Reader::read_undef() {
     unbind(name.name);
 }
 
-// NAME (PARAMETERS) tokens #end. The body is parsed at each call.
-void Reader::read_macro(const Token& at) {
-    const Token name = take_raw();
-    if (name.kind != TokenKind::word || Names::is_reserved(name.name)) {
-        return error(name, fmt::format("expected the name of a macro, found {}", describe(name)));
-    }
-    Token token = take_raw();
-    if (!token.is('(')) return error(token, fmt::format("expected `(`, found {}", describe(token)));
-    auto macro = make_counted<Macro>();
-    for (token = take_raw(); !token.is(')'); token = take_raw()) {
-        if (token.is(',')) continue;
-        if (token.kind != TokenKind::word || Names::is_reserved(token.name)) {
-            return error(token,
-                         fmt::format("expected the name of a parameter or `)`, found {}{}", describe(token),
-                                     token.kind == TokenKind::word ? ", a word of the language" : ""));
-        }
-        macro->parameters.push_back(token.name);
-    }
-    Frame& frame = frames_.back();
-    macro->text = frame.text;
-    macro->begin = frame.at;
-    macro->end = find_end(frame.at, frame.end);
-    spend(macro->end - macro->begin);
-    if (macro->end >= frame.end) return error(at, "this `#macro` has no `#end`");
-    frame.at = macro->end + 1;
-    assign(name.name, false, std::shared_ptr<const Macro>(std::move(macro)));
-}
-
-void Reader::read_version() {
+void DirectiveParser::read_version() {
     if (peek().kind == TokenKind::word && peek().word() == Word::k_version) {
         take();  // #version version;
     } else {
         begin_value();
         const double version = number();
-        if (!failed_) version_ = version;
+        if (!failed()) version_ = version;
         end_value();
     }
     accept(';');
 }
 
 // #default { items }
-void Reader::read_default() {
+void DirectiveParser::read_default() {
     if (!expect('{')) return;
-    while (!failed_ && !accept('}')) {
+    while (!failed() && !accept('}')) {
         const Token item = take();
         switch (item.word()) {
             case Word::k_texture:
-                default_texture_ = read_texture();
+                default_texture() = read_texture();
                 break;
             case Word::k_pigment:
-                read_pigment(default_texture_.pigment);
+                read_pigment(default_texture().pigment);
                 break;
             case Word::k_finish:
-                read_finish(default_texture_.finish);
+                read_finish(default_texture().finish);
                 break;
             case Word::k_normal:
                 read_opaque(Word::k_normal, item);
-                default_texture_.missing.add(missing(item, "normal"));
+                default_texture().missing.add(missing(item, "normal"));
                 break;
             case Word::k_camera:
-                camera_default_ = read_camera(item);
+                default_camera() = read_camera(item);
                 break;
             default:
                 return error(item,
@@ -178,15 +146,14 @@ void Reader::read_default() {
                                          describe(item)));
         }
     }
-    default_shared_ = make_counted<Texture>(default_texture_);
 }
 
-void Reader::read_message(const Token& at) {
+void DirectiveParser::read_message(const Token& at) {
     begin_value();
     const String text = string();
     accept(';');
     end_value();
-    if (failed_) return;
+    if (failed()) return;
     if (at.directive() == Word::k_error) {
         error(at, fmt::format("the text reports an error: {}", quoted(*text)));
     } else if (at.directive() == Word::k_warning) {

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Functions and constants of numbers and vectors.
 #include <fmt/format.h>
-
 #include <algorithm>
 
-#include "base/text.h"
-#include "formats/povray/reader.h"
 #include "formats/povray/standard_includes.h"
+#include "formats/povray/value_parser.h"
 #include "math/elementary.h"
 #include "math/number.h"
 #include "math/transform.h"
@@ -38,20 +36,39 @@ Vec3 rotate_about(Vec3 p, Vec3 axis, double radians) {
 
 }  // namespace
 
-double Reader::argument() {
+std::optional<double> ValueParser::declared_number(std::string_view wanted) const {
+    std::optional<double> number;
+    for (const auto& [name, value] : reading().options.declared) {
+        if (name == wanted) number = value;
+    }
+    return number;
+}
+
+// The size of the picture: the command's, else that of the profile.
+RenderSettings ValueParser::scene_size() const {
+    Scene sized;
+    sized.settings = reading().scene.settings;
+    const auto key = find_setting("size");
+    for (const auto& [name, value] : reading().options.settings) {
+        if (key && name == "size") (void)set_setting(sized, *key, value, {}).ok();
+    }
+    return sized.settings;
+}
+
+double ValueParser::argument() {
     const double value = number();
     accept(',');
     return value;
 }
 
-Vec3 Reader::vector_argument() {
+Vec3 ValueParser::vector_argument() {
     const Vec3 value = vector();
     accept(',');
     return value;
 }
 
 // The function's name has been read.
-Numbers Reader::function(const Token& name) {
+Numbers ValueParser::function(const Token& name) {
     switch (name.word()) {
         case Word::k_pi:
             return k_pi;
@@ -78,9 +95,9 @@ Numbers Reader::function(const Token& name) {
         case Word::k_off:
             return 0.0;
         case Word::k_clock:
-            return clock().value_or(0);
+            return declared_number("clock").value_or(0);
         case Word::k_clock_on:
-            return clock() ? 1.0 : 0.0;
+            return declared_number("clock") ? 1.0 : 0.0;
         case Word::k_clock_delta:
         case Word::k_initial_frame:
         case Word::k_final_frame:
@@ -91,9 +108,9 @@ Numbers Reader::function(const Token& name) {
         case Word::k_version:
             return version_.value_or(3.7);
         case Word::k_image_width:
-            return scene_size(name).width;
+            return scene_size().width;
         case Word::k_image_height:
-            return scene_size(name).height;
+            return scene_size().height;
         case Word::k_defined: {
             if (!expect('(')) return {};
             return read_defined() ? 1.0 : 0.0;
@@ -104,16 +121,16 @@ Numbers Reader::function(const Token& name) {
     const Deeper deeper(*this);
     if (!deeper.ok || !expect('(')) return {};
     const Numbers value = call(name);
-    if (!failed_) expect(')');
+    if (!failed()) expect(')');
     for (const double x : value.v) {
-        if (!(x <= 1e300 && x >= -1e300) && !failed_) {
+        if (!(x <= 1e300 && x >= -1e300) && !failed()) {
             error(name, fmt::format("{} has no finite value here", to_string(name.word())));
         }
     }
-    return failed_ ? Numbers() : value;
+    return failed() ? Numbers() : value;
 }
 
-Numbers Reader::call(const Token& name) {
+Numbers ValueParser::call(const Token& name) {
     switch (name.word()) {
         case Word::k_abs:
             return number::abs(number());
@@ -181,7 +198,7 @@ Numbers Reader::call(const Token& name) {
         case Word::k_sqrt: {
             const double x = number();
             if (!(x >= 0)) error(name, "expected the square root of a number >= 0");
-            return failed_ ? 0 : number::sqrt(x);
+            return failed() ? 0 : number::sqrt(x);
         }
         case Word::k_pow: {
             const double base = argument(), exponent = number();
@@ -206,7 +223,7 @@ Numbers Reader::call(const Token& name) {
         case Word::k_min:
         case Word::k_max: {
             Numbers value = argument();
-            while (!failed_ && !peek().is(')')) {
+            while (!failed() && !peek().is(')')) {
                 const double x = argument();
                 if (name.word() == Word::k_min ? x < value.v[0] : x > value.v[0]) value = x;
             }
@@ -258,12 +275,12 @@ Numbers Reader::call(const Token& name) {
         }
         case Word::k_file_exists: {
             const std::string file(*string());
-            if (++reading_.includes.count > k_max_includes) {
+            if (++reading().includes.count > k_max_includes) {
                 error(name, fmt::format("more than {} includes", k_max_includes));
             }
-            if (failed_ || reading_.sources == nullptr) return 0.0;
+            if (failed() || reading().sources == nullptr) return 0.0;
             const bool is_own = !standard_include(file).text.empty();
-            return is_own || reading_.sources->read(file, text_.place.name) ? 1.0 : 0.0;
+            return is_own || reading().sources->read(file, text().place.name) ? 1.0 : 0.0;
         }
         case Word::k_dimensions:
         case Word::k_dimension_size:
@@ -295,26 +312,6 @@ Numbers Reader::call(const Token& name) {
             error(name, fmt::format("{}() is not a function of numbers here", to_string(name.word())));
             return {};
     }
-}
-
-// dimensions(ARRAY), dimension_size(ARRAY, i)
-Numbers Reader::array_size(const Token& name) {
-    const Token token = take();
-    const Value* value = token.kind == TokenKind::word ? find_value(token.name) : nullptr;
-    const auto* array = value ? std::get_if<std::shared_ptr<Array>>(value) : nullptr;
-    if (array == nullptr) {
-        error(token, fmt::format("expected an array, found {}{}", describe(token), what_is(token)));
-        return {};
-    }
-    const CountedVector<std::uint32_t> sizes = (*array)->sizes;
-    if (name.word() == Word::k_dimensions) return static_cast<double>(sizes.size());
-    accept(',');
-    const Token at = peek();
-    const double i = number();
-    if (!failed_ && !(i >= 1 && i <= static_cast<double>(sizes.size()))) {
-        error(at, fmt::format("expected a number from 1 to {}", sizes.size()));
-    }
-    return failed_ ? 0.0 : static_cast<double>(sizes[static_cast<std::size_t>(i) - 1]);
 }
 
 }  // namespace glint::povray

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "formats/povray/reach.h"
-#include "formats/povray/reader.h"
+#include "formats/povray/scene_builder.h"
 #include "math/number.h"
 
 namespace glint::povray {
@@ -16,7 +16,7 @@ constexpr std::uint64_t k_max_tests = 10'000'000;
 
 // 1 for an entirely clear solid, whose glass is the same in glint; else 0: own light, colored shadows and
 // reflection inside are not.
-double Reader::glass_of(const Inherited& own) const {
+double SceneBuilder::glass_of(const Inherited& own) const {
     const std::array<double, 5>& p = own.texture->pigment.color;
     if (!own.is_solid || own.is_merge || own.texture->is_layered || !own.interior || own.interior->ior == 1 ||
         !(own.interior->ior > 0)) {
@@ -32,7 +32,7 @@ double Reader::glass_of(const Inherited& own) const {
 }
 
 // POV-Ray's rays know all solids that they are in, glint's only the last one.
-void Reader::check_glass() {
+void SceneBuilder::check_glass() {
     const auto is_clear = [&](const Shape& shape) {
         if (shape.material >= scene_.materials.size()) return false;
         const Material& m = scene_.materials[shape.material];

@@ -3,13 +3,13 @@
 #include <map>
 #include <tuple>
 
-#include "formats/povray/reader.h"
+#include "formats/povray/scene_builder.h"
 
 namespace glint::povray {
 
 // An object without an interior of its own has that of the group around it, with its `hollow`. The outermost
 // `hollow` counts. (Measured)
-void Reader::inherit_interior(const Object& object, Inherited& own) {
+void SceneBuilder::inherit_interior(const Object& object, Inherited& own) {
     if (!own.hollow) own.hollow = object.hollow;
     if (own.has_interior && !object.interior) return;
     own.has_interior = true;
@@ -19,7 +19,7 @@ void Reader::inherit_interior(const Object& object, Inherited& own) {
 }
 
 // The shapes from `first` on have been added.
-void Reader::note_interior(std::size_t first, const Inherited& own) {
+void SceneBuilder::note_interior(std::size_t first, const Inherited& own) {
     const std::size_t end = scene_.shapes.size();
     if (first == end || (own.body == 0 && !own.is_hollow)) return;
     if (!interiors_.empty()) {
@@ -33,7 +33,7 @@ void Reader::note_interior(std::size_t first, const Inherited& own) {
 }
 
 // Gives the shapes materials with their interiors, if the scene has fog.
-void Reader::use_interiors() {
+void SceneBuilder::use_interiors() {
     if (!scene_.fog || interiors_.empty()) return;
     using Kind = std::tuple<std::uint32_t, std::int32_t, bool>;  // material, body, hollow
     CountedMap<Kind, std::uint32_t> materials;
@@ -56,7 +56,7 @@ void Reader::use_interiors() {
                 note(scene_.material_texts, known->second, scene_.material_texts.place(material));
                 scene_.materials.push_back(m);
                 const bool is_time = scene_.materials.size() % 256 == 0;
-                if (is_time && !is_within_memory(tokens_[text_.file].back())) return;
+                if (is_time && !stream_.is_within_memory(stream_.own_tokens().back())) return;
             }
             used[material] = true;
             Material& own = scene_.materials[known->second];

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // light_source.
 #include <fmt/format.h>
-
 #include <algorithm>
-
-#include "base/text.h"
-#include "formats/povray/reader.h"
-#include "formats/povray_keywords.h"
+#include "formats/povray/object_parser.h"
 
 namespace glint::povray {
 
-Object Reader::read_light(const Token& word) {
+Object ObjectParser::read_light(const Token& word) {
     Object object;
     object.kind = ObjectKind::light;
     object.at = word;
@@ -21,10 +17,10 @@ Object Reader::read_light(const Token& word) {
     if (!expect('{')) return object;
     if (const Token name = peek(); begins_object(name) && !Names::is_reserved(name.name)) {
         const ObjectPart declared = object_of(take());  // another light, to be changed
-        if (!failed_ && declared->kind != ObjectKind::light) {
+        if (!failed() && declared->kind != ObjectKind::light) {
             error(name, fmt::format("expected a light, found {}", describe(name)));
         }
-        if (failed_) return object;
+        if (failed()) return object;
         *held = *declared->light;
         object = *declared;
     } else {
@@ -33,7 +29,7 @@ Object Reader::read_light(const Token& word) {
         const std::array<double, 5> c = color(true);
         source.light.color = source.light.specular_color = {c[0], c[1], c[2]};
     }
-    while (!failed_ && !accept('}')) {
+    while (!failed() && !accept('}')) {
         if (accept(',') || read_transform_item(object.map)) continue;
         const Token item = take();
         switch (item.word()) {
@@ -120,17 +116,17 @@ Object Reader::read_light(const Token& word) {
 }
 
 // The number of samples along a side of an area light.
-std::int32_t Reader::sample_count() {
+std::int32_t ObjectParser::sample_count() {
     const Token at = peek();
     const double count = number();
-    if (!failed_ && !(count >= 1 && count <= k_max_light_samples)) {
+    if (!failed() && !(count >= 1 && count <= k_max_light_samples)) {
         error(at, fmt::format("expected a number of samples from 1 to {}", k_max_light_samples));
     }
-    return failed_ ? 1 : static_cast<std::int32_t>(count);
+    return failed() ? 1 : static_cast<std::int32_t>(count);
 }
 
 // { object }: moved to the light; it casts no shadow.
-void Reader::read_looks_like(Object& light) {
+void ObjectParser::read_looks_like(Object& light) {
     if (!expect('{')) return;
     if (!begins_object(peek())) return expected("an object");
     Object look = read_object();

@@ -4,19 +4,19 @@
 
 #include <algorithm>
 
-#include "formats/povray/reader.h"
+#include "formats/povray/object_parser.h"
 
 namespace glint::povray {
 
 // mesh { triangles, modifiers }
-Object Reader::read_mesh(const Token& word) {
+Object ObjectParser::read_mesh(const Token& word) {
     Object object;
     object.kind = ObjectKind::mesh;
     object.at = word;
     if (!expect('{')) return object;
     if (begins_declared(peek()) && begins_object(peek())) return read_copy();
     auto mesh = make_counted<Mesh>();
-    while (!failed_ && (peek().word() == Word::k_triangle || peek().word() == Word::k_smooth_triangle)) {
+    while (!failed() && (peek().word() == Word::k_triangle || peek().word() == Word::k_smooth_triangle)) {
         read_mesh_triangle(*mesh);
     }
     object.count = std::max<std::uint64_t>(mesh->faces.size(), 1);
@@ -25,12 +25,12 @@ Object Reader::read_mesh(const Token& word) {
     return object;
 }
 
-void Reader::read_mesh_triangle(Mesh& mesh) {
+void ObjectParser::read_mesh_triangle(Mesh& mesh) {
     const bool is_smooth = take().word() == Word::k_smooth_triangle;
     if (!expect('{')) return;
     Mesh::Face face;
     face.has_normals = is_smooth;
-    for (std::size_t i = 0; i < 3 && !failed_; ++i) {
+    for (std::size_t i = 0; i < 3 && !failed(); ++i) {
         face.vertices[i] = static_cast<std::uint32_t>(mesh.vertices.size());
         mesh.vertices.push_back(vector());
         accept(',');
@@ -39,14 +39,14 @@ void Reader::read_mesh_triangle(Mesh& mesh) {
         mesh.normals.push_back(vector());
         accept(',');
     }
-    while (!failed_ && !accept('}')) {
+    while (!failed() && !accept('}')) {
         const Token item = take();
         if (item.word() == Word::k_texture) {
             face.has_texture = true;
             face.textures.fill(static_cast<std::uint32_t>(mesh.textures.size()));
             mesh.textures.push_back(make_counted<const Texture>(read_texture()));
         } else if (item.word() == Word::k_uv_vectors) {
-            for (int i = 0; i < 3 && !failed_; ++i) {
+            for (int i = 0; i < 3 && !failed(); ++i) {
                 expression();
                 accept(',');
             }
@@ -58,7 +58,7 @@ void Reader::read_mesh_triangle(Mesh& mesh) {
 }
 
 // mesh2 { vertex_vectors {...} ... modifiers }
-Object Reader::read_mesh2(const Token& word) {
+Object ObjectParser::read_mesh2(const Token& word) {
     Object object;
     object.kind = ObjectKind::mesh;
     object.at = word;
@@ -66,7 +66,7 @@ Object Reader::read_mesh2(const Token& word) {
     if (begins_declared(peek()) && begins_object(peek())) return read_copy();
     auto mesh = make_counted<Mesh>();
     bool has_normal_indices = false;
-    for (bool is_part = true; is_part && !failed_;) {
+    for (bool is_part = true; is_part && !failed();) {
         const Token item = peek();
         switch (item.word()) {
             case Word::k_vertex_vectors:
@@ -112,7 +112,7 @@ Object Reader::read_mesh2(const Token& word) {
 }
 
 // Indices are in range, and normals are not 0.
-void Reader::check_mesh(const Token& at, Mesh& mesh, bool has_normal_indices) {
+void ObjectParser::check_mesh(const Token& at, Mesh& mesh, bool has_normal_indices) {
     for (Vec3& n : mesh.normals) {
         if (n == Vec3{0, 0, 0}) n = {1, 0, 0};
     }
@@ -121,7 +121,7 @@ void Reader::check_mesh(const Token& at, Mesh& mesh, bool has_normal_indices) {
             face.normals = face.vertices;
             face.has_normals = true;
         }
-        for (std::size_t i = 0; i < 3 && !failed_; ++i) {
+        for (std::size_t i = 0; i < 3 && !failed(); ++i) {
             const bool is_wrong = face.vertices[i] >= mesh.vertices.size() ||
                                   (face.has_normals && face.normals[i] >= mesh.normals.size()) ||
                                   (face.has_texture && face.textures[i] >= mesh.textures.size());
@@ -137,28 +137,28 @@ void Reader::check_mesh(const Token& at, Mesh& mesh, bool has_normal_indices) {
 }
 
 // The number of items of a list; memory is reserved for what the text can hold.
-std::size_t Reader::read_count() {
+std::size_t ObjectParser::read_count() {
     const Token at = peek();
     const double count = number();
     accept(',');
-    if (!failed_ && !(count >= 0 && count <= 1e9)) error(at, "expected a number of items from 0 to 1e9");
-    return failed_ ? 0 : static_cast<std::size_t>(count);
+    if (!failed() && !(count >= 0 && count <= 1e9)) error(at, "expected a number of items from 0 to 1e9");
+    return failed() ? 0 : static_cast<std::size_t>(count);
 }
 
-CountedVector<Vec3> Reader::read_points() {
+CountedVector<Vec3> ObjectParser::read_points() {
     CountedVector<Vec3> points;
     if (!expect('{')) return points;
     const std::size_t count = read_count();
     points.reserve(std::min<std::size_t>(count, 1u << 16));
-    for (std::size_t i = 0; i < count && !failed_; ++i) {
+    for (std::size_t i = 0; i < count && !failed(); ++i) {
         points.push_back(vector());
         accept(',');
     }
-    if (!failed_) expect('}');
+    if (!failed()) expect('}');
     return points;
 }
 
-void Reader::read_face_indices(std::array<std::uint32_t, 3>& indices) {
+void ObjectParser::read_face_indices(std::array<std::uint32_t, 3>& indices) {
     if (!expect('<')) return;
     for (std::uint32_t& index : indices) {
         index = read_index();
@@ -167,23 +167,23 @@ void Reader::read_face_indices(std::array<std::uint32_t, 3>& indices) {
     expect('>');
 }
 
-std::uint32_t Reader::read_index() {
+std::uint32_t ObjectParser::read_index() {
     const Token at = peek();
     const double value = number();
-    if (!failed_ && !(value >= 0 && value <= 4e9)) error(at, "expected an index from 0 to 4e9");
-    return failed_ ? 0 : static_cast<std::uint32_t>(value);
+    if (!failed() && !(value >= 0 && value <= 4e9)) error(at, "expected an index from 0 to 4e9");
+    return failed() ? 0 : static_cast<std::uint32_t>(value);
 }
 
-void Reader::read_faces(Mesh& mesh) {
+void ObjectParser::read_faces(Mesh& mesh) {
     if (!expect('{')) return;
     const std::size_t count = read_count();
-    for (std::size_t i = 0; i < count && !failed_; ++i) {
+    for (std::size_t i = 0; i < count && !failed(); ++i) {
         Mesh::Face face;
         read_face_indices(face.vertices);
         accept(',');
         // One texture for the face, or one for each vertex.
         std::size_t textures = 0;
-        while (!failed_ && textures < 3 && !peek().is('<') && begins_number(peek())) {
+        while (!failed() && textures < 3 && !peek().is('<') && begins_number(peek())) {
             face.textures[textures++] = read_index();
             accept(',');
         }
@@ -194,10 +194,10 @@ void Reader::read_faces(Mesh& mesh) {
                             (face.textures[0] != face.textures[1] || face.textures[0] != face.textures[2]);
         mesh.faces.push_back(face);
     }
-    if (!failed_) expect('}');
+    if (!failed()) expect('}');
 }
 
-void Reader::read_normal_indices(Mesh& mesh) {
+void ObjectParser::read_normal_indices(Mesh& mesh) {
     if (!expect('{')) return;
     const Token at = peek();
     const std::size_t count = read_count();
@@ -206,19 +206,19 @@ void Reader::read_normal_indices(Mesh& mesh) {
                                      "`face_indices` stands",
                                      mesh.faces.size()));
     }
-    for (std::size_t i = 0; i < count && !failed_; ++i) {
+    for (std::size_t i = 0; i < count && !failed(); ++i) {
         read_face_indices(mesh.faces[i].normals);
         mesh.faces[i].has_normals = true;
         accept(',');
     }
-    if (!failed_) expect('}');
+    if (!failed()) expect('}');
 }
 
-void Reader::read_texture_list(Mesh& mesh) {
+void ObjectParser::read_texture_list(Mesh& mesh) {
     if (!expect('{')) return;
     const std::size_t count = read_count();
-    for (std::size_t i = 0; i < count && !failed_; ++i) {
-        Texture texture = default_texture_;
+    for (std::size_t i = 0; i < count && !failed(); ++i) {
+        Texture texture = default_texture();
         if (accept(Word::k_texture)) {
             texture = read_texture();
         } else {
@@ -231,7 +231,7 @@ void Reader::read_texture_list(Mesh& mesh) {
         mesh.textures.push_back(make_counted<const Texture>(std::move(texture)));
         accept(',');
     }
-    if (!failed_) expect('}');
+    if (!failed()) expect('}');
 }
 
 }  // namespace glint::povray

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The modifiers of objects.
-#include <fmt/format.h>
-
-#include "base/text.h"
-#include "formats/povray/reader.h"
+#include "formats/povray/clip.h"
+#include "formats/povray/object_parser.h"
 #include "formats/povray_keywords.h"
 
 namespace glint::povray {
 
 // Up to and including the `}`.
-void Reader::read_modifiers(Object& object) {
-    while (!failed_ && !accept('}')) {
+void ObjectParser::read_modifiers(Object& object) {
+    while (!failed() && !accept('}')) {
         if (accept(',') || read_modifier(object)) continue;
         const Token item = peek();
         const std::string_view name = text_of(item);
@@ -24,7 +22,7 @@ void Reader::read_modifiers(Object& object) {
     }
 }
 
-bool Reader::read_modifier(Object& object) {
+bool ObjectParser::read_modifier(Object& object) {
     if (read_transform_item(object.map)) return true;
     const Token item = peek();
     switch (item.word()) {
@@ -109,20 +107,22 @@ bool Reader::read_modifier(Object& object) {
 }
 
 // { objects }, after clipped_by: reported unless the objects hold the whole shape.
-void Reader::read_clip(Object& object) {
-    const Token at = ahead_;
+void ObjectParser::read_clip(Object& object) {
+    const Token at = taken();
     if (!expect('{')) return;
     if (accept(Word::k_bounded_by)) {
         expect('}');
         return;
     }
-    while (!failed_ && !accept('}')) {
+    while (!failed() && !accept('}')) {
         if (!begins_object(peek())) return expected("an object or `}`");
         const Object clip = read_object();
         accept(',');
         if (object.mesh) spend(object.mesh->vertices.size() + object.mesh->faces.size());
-        if (!failed_ && !holds(clip, object) && !clip_mesh(clip, object)) {
-            const auto cut = clip_of(clip, object, at);
+        if (!failed() && !holds(clip, object) && !clip_mesh(clip, object)) {
+            Missing clipped = missing(at, "clipped_by");
+            clipped.is_error = !reading().options.skip_unsupported;
+            const auto cut = clip_of(clip, object, clipped);
             if (object.clip) object.missing.add(cut->missing);  // two: not known
             object.clip = cut;
         }

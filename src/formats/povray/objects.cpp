@@ -1,17 +1,56 @@
 // SPDX-License-Identifier: Apache-2.0
-// Objects: shapes, groups and their modifiers.
+// Objects: which one begins, groups, and those that are declared.
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "base/text.h"
-#include "formats/povray/reader.h"
+#include "formats/povray/object_parser.h"
 #include "formats/povray_keywords.h"
 
 namespace glint::povray {
 
+Value ObjectParser::other_value(const Token& first) {
+    switch (first.word()) {
+        case Word::k_texture: {
+            // Several textures are the layers of one.
+            std::shared_ptr<const Texture> texture;
+            while (!failed() && accept(Word::k_texture)) texture = layered(texture, read_texture());
+            return texture;
+        }
+        case Word::k_pigment: {
+            take();
+            Pigment pigment = default_texture().pigment;
+            read_pigment(pigment);
+            return make_counted<const Pigment>(std::move(pigment));
+        }
+        case Word::k_finish: {
+            take();
+            Finish finish = default_texture().finish;
+            read_finish(finish);
+            return make_counted<const Finish>(std::move(finish));
+        }
+        case Word::k_material:
+            take();
+            return make_counted<const MaterialValue>(read_material());
+        case Word::k_camera:
+            take();
+            return make_counted<const CameraItems>(read_camera(first));
+        case Word::k_transform:
+            take();
+            return make_counted<const Affine>(read_transform_block());
+        default:
+            break;
+    }
+    if (begins_object(first)) return read_part();
+    const bool is_named = !Names::is_reserved(first.name) && !povray_meaning(name_of(first.name)).empty() &&
+                          has_raw() && raw().is('{');  // media, a map, ...
+    if (!is_named && !is_opaque(first.word())) return {};
+    const Token word = take();
+    return read_opaque(is_named ? Word::k_none : word.word(), word);
+}
+
 // Whether an object begins here: one that is rendered, or another of POV-Ray's.
-bool Reader::begins_object(const Token& token) {
+bool ObjectParser::begins_object(const Token& token) {
     if (token.kind != TokenKind::word) return false;
     switch (token.word()) {
 #define GLINT_POV_WORD(word) case Word::k_##word:
@@ -29,18 +68,18 @@ bool Reader::begins_object(const Token& token) {
         }
         return std::holds_alternative<std::shared_ptr<const Object>>(*value);
     }
-    const std::string_view name = names_.name(token.name);
+    const std::string_view name = name_of(token.name);
     return povray_meaning(name) == "a shape" || name == "light_group";
 }
 
 // Whether an object begins here that may be a declared one: its name, or `object`.
-bool Reader::begins_declared(const Token& word) {
+bool ObjectParser::begins_declared(const Token& word) {
     if (word.kind != TokenKind::word) return false;
     if (Names::is_reserved(word.name)) return word.word() == Word::k_object;
     return find_value(word.name) != nullptr;
 }
 
-Object Reader::read_object() {
+Object ObjectParser::read_object() {
     const Token word = peek();
     if (begins_declared(word)) {
         const ObjectPart part = read_part();
@@ -71,7 +110,7 @@ Object Reader::read_object() {
 }
 
 // An object of a group. One that is declared is shared unless modifiers follow. Null after an error.
-ObjectPart Reader::read_part() {
+ObjectPart ObjectParser::read_part() {
     const Token word = peek();
     if (!begins_declared(word)) return make_counted<const Object>(read_object());
     const Deeper deeper(*this);
@@ -86,14 +125,14 @@ ObjectPart Reader::read_part() {
     }
     ObjectPart part = read_part();
     accept(',');
-    if (failed_ || accept('}')) return part;
+    if (failed() || accept('}')) return part;
     auto changed = make_counted<Object>(*part);
     read_modifiers(*changed);
     return changed;
 }
 
 // NAME modifiers }, after the word of its kind: `sphere { Ball translate x }`.
-Object Reader::read_copy() {
+Object ObjectParser::read_copy() {
     const ObjectPart part = read_part();
     if (!part) return {};
     Object copy = *part;
@@ -102,18 +141,18 @@ Object Reader::read_copy() {
 }
 
 // The object that an identifier or an element of an array stands for. Null after an error.
-ObjectPart Reader::object_of(const Token& name) {
+ObjectPart ObjectParser::object_of(const Token& name) {
     const Value* found = find_value(name.name);
     Value value = found != nullptr ? *found : Value();
     if (std::holds_alternative<std::shared_ptr<Array>>(value)) value = read_element(name, std::move(value));
-    if (failed_) return nullptr;
+    if (failed()) return nullptr;
     if (const auto* held = std::get_if<ObjectPart>(&value)) return *held;
     error(name, fmt::format("expected an object, found {}, {}", describe(name), povray::describe(value)));
     return nullptr;
 }
 
 // A shape of POV-Ray that glint does not render: an error if it becomes part of the scene.
-Object Reader::refuse_object(const Token& word) {
+Object ObjectParser::refuse_object(const Token& word) {
     Object object;
     object.kind = ObjectKind::refused;
     object.at = word;
@@ -124,103 +163,8 @@ Object Reader::refuse_object(const Token& word) {
     return object;
 }
 
-Object Reader::read_shape(const Token& word) {
-    Object object;
-    object.at = word;
-    if (!expect('{')) return object;
-    if (begins_declared(peek()) && begins_object(peek())) return read_copy();
-    const auto next = [&] { return accept(','); };
-    switch (word.word()) {
-        case Word::k_sphere:
-            object.kind = ObjectKind::sphere;
-            object.a = vector();
-            next();
-            object.r = number();
-            break;
-        case Word::k_cylinder:
-        case Word::k_cone:
-            object.kind = word.word() == Word::k_cone ? ObjectKind::cone : ObjectKind::cylinder;
-            object.a = vector();
-            next();
-            if (word.word() == Word::k_cone) {
-                object.r = number();
-                next();
-            }
-            object.b = vector();
-            next();
-            (word.word() == Word::k_cone ? object.s : object.r) = number();
-            object.is_open = accept(Word::k_open);
-            break;
-        case Word::k_box:
-            object.kind = ObjectKind::box;
-            object.a = vector();
-            next();
-            object.b = vector();
-            break;
-        case Word::k_plane:
-            object.kind = ObjectKind::plane;
-            object.b = vector();
-            next();
-            object.s = number();
-            break;
-        case Word::k_disc:
-            object.kind = ObjectKind::disc;
-            object.a = vector();
-            next();
-            object.b = vector();
-            next();
-            object.r = number();
-            if (next()) object.s = number();
-            break;
-        case Word::k_triangle:
-            object.kind = ObjectKind::triangle;
-            object.a = vector();
-            next();
-            object.b = vector();
-            next();
-            object.c = vector();
-            break;
-        default: {
-            object.kind = ObjectKind::smooth_triangle;
-            std::array<Vec3, 3> normals;
-            object.a = vector();
-            next();
-            normals[0] = vector();
-            next();
-            object.b = vector();
-            next();
-            normals[1] = vector();
-            next();
-            object.c = vector();
-            next();
-            normals[2] = vector();
-            object.normals = make_counted<const std::array<Vec3, 3>>(normals);
-        }
-    }
-    check_shape(object);
-    read_modifiers(object);
-    return object;
-}
-
-// What POV-Ray refuses, and what glint has no shape for.
-void Reader::check_shape(Object& object) {
-    if (failed_) return;
-    const bool has_axis = object.kind == ObjectKind::cylinder || object.kind == ObjectKind::cone;
-    if (has_axis && object.a == object.b) {
-        error(object.at, fmt::format("expected two ends at different points of a {}", text_of(object.at)));
-    }
-    if (object.kind == ObjectKind::plane || object.kind == ObjectKind::disc) {
-        if (object.b == Vec3{0, 0, 0}) error(object.at, "expected a normal other than 0");
-    }
-    if (object.kind == ObjectKind::disc && object.s > 0) {
-        object.missing.add({"disc", "with a hole", call_place(object.at), true});
-    }
-    if (object.r < 0) object.r = -object.r;
-    if (object.s < 0 && object.kind == ObjectKind::cone) object.s = -object.s;
-}
-
 // union and merge: objects and modifiers.
-Object Reader::read_group(const Token& word) {
+Object ObjectParser::read_group(const Token& word) {
     Object group;
     group.at = word;
     if (!expect('{')) return group;
@@ -228,9 +172,9 @@ Object Reader::read_group(const Token& word) {
     group.is_merge = word.word() == Word::k_merge;
     group.count = 0;
     auto parts = make_counted<CountedVector<ObjectPart>>();
-    while (!failed_ && begins_object(peek())) {
+    while (!failed() && begins_object(peek())) {
         ObjectPart part = read_part();
-        if (failed_) return group;
+        if (failed()) return group;
         group.count += part->count;
         allow_steps(part->count);
         group.depth = std::max(group.depth, part->depth + 1);
@@ -242,8 +186,8 @@ Object Reader::read_group(const Token& word) {
         parts->push_back(std::move(part));
         accept(',');
     }
-    if (!failed_ && parts->empty()) expected("an object or the name of one");
-    if (failed_) return group;
+    if (!failed() && parts->empty()) expected("an object or the name of one");
+    if (failed()) return group;
     parts->shrink_to_fit();
     group.parts = std::move(parts);
     read_modifiers(group);

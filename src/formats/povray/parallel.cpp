@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "formats/povray/reach.h"
-#include "formats/povray/reader.h"
+#include "formats/povray/scene_builder.h"
 #include "math/number.h"
 
 namespace glint::povray {
@@ -14,7 +14,7 @@ constexpr std::uint64_t k_max_light_tests = 100'000'000;
 }  // namespace
 
 // Warns of parallel lights beyond whose planes are shapes: in POV-Ray these cast no shadows.
-void Reader::check_parallel_lights() {
+void SceneBuilder::check_parallel_lights() {
     // The first of them is named; texts of very many shapes and lights are not searched to the end.
     std::uint64_t tests = 0;
     for (const ParallelLight& light : parallel_lights_) {

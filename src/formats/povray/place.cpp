@@ -1,44 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Objects to the Scene: groups are resolved, maps are applied to the shapes, textures become materials.
+// Objects to the Scene: groups are resolved, maps are applied to the shapes.
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "base/text.h"
 #include "formats/povray/add_shape.h"
 #include "math/number.h"
 #include "math/transform.h"
 
 namespace glint::povray {
 namespace {
-
-// The word as the text has it: of a pattern, it can be anything.
-std::string shown(std::string_view word) {
-    const bool is_plain =
-        word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_ ") ==
-        std::string_view::npos;
-    return is_plain ? fmt::format("`{}`", word) : quoted(word);
-}
-
-// "`text` (a shape)"
-std::string what(const Missing& missing) {
-    return shown(missing.name) +
-           (missing.meaning.empty() ? std::string() : fmt::format(" ({})", missing.meaning));
-}
-
-// What can be tried.
-std::string advice(const Missing& missing) {
-    if (missing.name == "clipped_by") {
-        return missing.is_error
-                   ? "; the object is cut where the picture shows it: take the `clipped_by` out of "
-                     "the text, or draw the whole object with the option skip-unsupported"
-                   : "; the object is drawn whole";
-    }
-    if (missing.name == "texture_list")
-        return "; each such face has the shine of its first corner: give all corners of a face the same "
-               "`finish`";
-    return missing.is_error ? "; the option skip-unsupported leaves it out and draws the rest" : "";
-}
 
 // The factor of a map that keeps all angles, or 0.
 double similarity(const Affine& map) {
@@ -62,78 +33,30 @@ bool is_diagonal(const Affine& map) {
 
 }  // namespace
 
-SourcePlace Reader::place_of(const Token& token) {
-    CountedVector<std::uint32_t>& starts = line_starts_[token.text];
-    const std::string_view text = reading_.texts[token.text].text;
-    if (starts.empty()) {
-        starts.push_back(0);
-        for (std::size_t at = text.find('\n'); at != std::string_view::npos; at = text.find('\n', at + 1)) {
-            starts.push_back(static_cast<std::uint32_t>(at + 1));
-        }
-    }
-    const auto line = std::upper_bound(starts.begin(), starts.end(), token.offset) - starts.begin();
-    const std::uint32_t column = token.offset - starts[static_cast<std::size_t>(line - 1)] + 1;
-    return {static_cast<std::uint32_t>(line), static_cast<std::uint16_t>(std::min(column, 65535u)),
-            token.text};
-}
-
 // The place of a shape: that of the outermost macro call, where the text asks for it.
-SourcePlace Reader::shape_place(const Token& at) {
-    const Token token = call_place(at);
+SourcePlace SceneBuilder::shape_place(const Token& at) {
+    const Token token = stream_.call_place(at);
     if (token.offset != last_place_token_.offset || token.text != last_place_token_.text ||
         last_place_.line == 0) {
         last_place_token_ = token;
-        last_place_ = place_of(token);
+        last_place_ = stream_.place_of(token);
     }
     return last_place_;
 }
 
-void Reader::report(const Missing& missing) {
-    if (!missing.is_error && reading_.diagnostics.warned(missing.name)) return;
-    if (!missing.is_error) {
-        return warn_once(missing.name, missing.at,
-                         fmt::format("glint does not render {} of POV-Ray: the picture will differ{}",
-                                     what(missing), advice(missing)));
+void SceneBuilder::place(const Object& object, const Texture& default_texture) {
+    if (stream_.failed()) return;
+    stream_.allow_steps(object.count);
+    if (!stream_.count_shapes(object.count)) {
+        return stream_.error(object.at, fmt::format("more than {} shapes", stream_.max_shapes()));
     }
-    // Reading goes on, so that all of them are named.
-    const std::string key = fmt::format("refused {}", missing.name);
-    if (std::find(warned_.begin(), warned_.end(), key) != warned_.end()) return;
-    warned_.push_back(key);
-    reading_.diagnostics.error(
-        reading_.texts[missing.at.text], missing.at.offset,
-        std::max<std::size_t>(text_of(missing.at).size(), 1),
-        fmt::format("glint does not render {} of POV-Ray{}", what(missing), advice(missing)));
+    Inherited outer;
+    outer.texture = &default_texture;
+    place(object, outer);
 }
 
-void Reader::report(const MissingList& missing) {
-    for (const Missing& each : missing) report(each);
-}
-
-// Objects that have no meaning without what is missing; only with skip_unsupported.
-bool Reader::leave_out(const Object& object) {
-    if (!reading_.options.skip_unsupported) return false;
-    const MissingList& missing = object.kind == ObjectKind::light ? object.light->missing : object.missing;
-    const auto reason =
-        std::find_if(missing.begin(), missing.end(), [](const Missing& m) { return m.is_error; });
-    if (reason == missing.end()) return false;
-    const Token& at = reason->at;
-    reading_.left_out.add(what(*reason) + " of POV-Ray", reading_.texts[at.text], at.offset,
-                          std::max<std::size_t>(text_of(at).size(), 1));
-    return true;
-}
-
-void Reader::place(const Object& object) {
-    if (failed_) return;
-    shapes_ += object.count;
-    allow_steps(object.count);
-    if (shapes_ > max_shapes()) {
-        return error(object.at, fmt::format("more than {} shapes", max_shapes()));
-    }
-    place(object, Inherited{});
-}
-
-void Reader::place(const Object& object, const Inherited& from) {
-    if (failed_ || (++placed_ % 256 == 0 && !is_within_memory(object.at))) return;
+void SceneBuilder::place(const Object& object, const Inherited& from) {
+    if (stream_.failed() || (++placed_ % 256 == 0 && !stream_.is_within_memory(object.at))) return;
     Inherited own = from;
     std::optional<Affine> map;
     if (object.map) {
@@ -151,7 +74,7 @@ void Reader::place(const Object& object, const Inherited& from) {
         return;
     }
     report(object.missing);
-    if (object.no_reflection && !no_reflection_) no_reflection_ = call_place(*object.no_reflection);
+    if (object.no_reflection && !no_reflection_) no_reflection_ = stream_.call_place(*object.no_reflection);
     if (object.clip) {
         const bool is_as_read = !from.map && object.map == object.clip->map && own.is_no_shadow;
         if (is_as_read) {
@@ -172,10 +95,6 @@ void Reader::place(const Object& object, const Inherited& from) {
         default:
             break;
     }
-    if (own.texture == nullptr) {
-        if (!default_shared_) default_shared_ = make_counted<const Texture>(default_texture_);
-        own.texture = default_shared_.get();
-    }
     const std::size_t first = scene_.shapes.size();
     if (object.kind == ObjectKind::mesh) {
         place_mesh(object, own);
@@ -185,7 +104,7 @@ void Reader::place(const Object& object, const Inherited& from) {
     note_interior(first, own);
 }
 
-void Reader::place_shape(const Object& o, const Inherited& from) {
+void SceneBuilder::place_shape(const Object& o, const Inherited& from) {
     Inherited own = from;
     const bool has_ends = o.kind == ObjectKind::cylinder || o.kind == ObjectKind::cone;
     own.is_solid = o.kind == ObjectKind::sphere || (has_ends && !o.is_open);
@@ -197,8 +116,8 @@ void Reader::place_shape(const Object& o, const Inherited& from) {
     const auto turned = [&](Vec3 n) {
         if (!map) return n;
         const auto object_from_world = inverse(*map);
-        if (!object_from_world) error(o.at, "the shape's transform leaves nothing of it");
-        return failed_ ? n : transform_normal(*object_from_world, n);
+        if (!object_from_world) stream_.error(o.at, "the shape's transform leaves nothing of it");
+        return stream_.failed() ? n : transform_normal(*object_from_world, n);
     };
     // A map that keeps angles is applied to the shape itself.
     const Affine* rest = factor > 0 ? nullptr : map;
@@ -248,8 +167,9 @@ void Reader::place_shape(const Object& o, const Inherited& from) {
         }
         default: {
             if (has_normals_on_both_sides({o.a, o.b, o.c}, *o.normals)) {
-                warn_once("normals on both sides", o.at,
-                          "normals on both sides of a smooth triangle: as in POV-Ray, it is left out");
+                stream_.warn_once(
+                    "normals on both sides", o.at,
+                    "normals on both sides of a smooth triangle: as in POV-Ray, it is left out");
                 break;
             }
             const auto normal = [&](Vec3 n) { return turned(n == Vec3{0, 0, 0} ? Vec3{1, 0, 0} : n); };
@@ -264,16 +184,16 @@ void Reader::place_shape(const Object& o, const Inherited& from) {
     }
 }
 
-void Reader::place_mesh(const Object& o, const Inherited& own) {
+void SceneBuilder::place_mesh(const Object& o, const Inherited& own) {
     const Mesh& mesh = *o.mesh;
     // Many vertices without faces take time that the number of shapes does not bound.
     const std::size_t size = mesh.vertices.size() + mesh.normals.size(), used = 6 * mesh.faces.size();
-    if (size > used && !spend((size - used) / 8)) return;
+    if (size > used && !stream_.spend((size - used) / 8)) return;
     CountedVector<Vec3> points = mesh.vertices, normals = mesh.normals;
     bool is_skewed = false;
     if (own.map) {
         const auto object_from_world = inverse(*own.map);
-        if (!object_from_world) return error(o.at, "the mesh's transform leaves nothing of it");
+        if (!object_from_world) return stream_.error(o.at, "the mesh's transform leaves nothing of it");
         for (Vec3& p : points) p = transform_point(*own.map, p);
         is_skewed = !(similarity(*own.map) > 0);
         for (Vec3& n : normals) n = transform_normal(*object_from_world, is_skewed ? normalize(n) : n);
@@ -281,7 +201,7 @@ void Reader::place_mesh(const Object& o, const Inherited& own) {
     Inherited face_own = own;
     const std::uint32_t material = material_of(own, o.at);
     for (const Mesh::Face& face : mesh.faces) {
-        if (failed_) return;
+        if (stream_.failed()) return;
         std::uint32_t of_face = material;
         if (face.has_texture) {
             face_own.texture = mesh.textures[face.textures[0]].get();

@@ -3,12 +3,9 @@
 // again, ends a part, and the next point begins another one; a part that is not closed is closed; points
 // count that are in the plane within about 3e-10, else nothing is drawn; inside is what an odd number of
 // edges surrounds.
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 
-#include "formats/povray/reader.h"
+#include "formats/povray/object_parser.h"
 #include "math/number.h"
 #include "math/transform.h"
 
@@ -118,7 +115,7 @@ bool are_apart(const Outline& a, const Outline& b) {
 }  // namespace
 
 // { number, points modifiers }
-Object Reader::read_polygon(const Token& word) {
+Object ObjectParser::read_polygon(const Token& word) {
     Object object;
     object.kind = ObjectKind::polygon;
     object.at = word;
@@ -126,20 +123,20 @@ Object Reader::read_polygon(const Token& word) {
     if (begins_declared(peek()) && begins_object(peek())) return read_copy();
     const Token count_at = peek();
     const std::size_t count = read_count();
-    if (!failed_ && count < 3) error(count_at, "expected at least three points of a polygon");
+    if (!failed() && count < 3) error(count_at, "expected at least three points of a polygon");
     CountedVector<Vec3> points;
-    for (std::size_t i = 0; i < count && !failed_; ++i) {
+    for (std::size_t i = 0; i < count && !failed(); ++i) {
         points.push_back(vector());
         accept(',');
     }
-    if (failed_) return object;
+    if (failed()) return object;
     take_outlines(points, object);
     read_modifiers(object);
     return object;
 }
 
 // Makes the object a polygon, or a group of several.
-void Reader::take_outlines(const CountedVector<Vec3>& points, Object& object) {
+void ObjectParser::take_outlines(const CountedVector<Vec3>& points, Object& object) {
     const auto refuse = [&](std::string_view why) {
         object.missing.add({"polygon", why, call_place(object.at), true});
     };

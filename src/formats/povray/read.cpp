@@ -1,63 +1,100 @@
 // SPDX-License-Identifier: Apache-2.0
 // The reader's entry: a whole text, from its first statement to the settings that it decides.
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "formats/povray/reader.h"
+#include "formats/povray_keywords.h"
 #include "formats/registry.h"
 
 namespace glint {
 namespace povray {
 
-Reader::Reader(LoadState& reading, const ReadText& text)
-    : reading_(reading), scene_(reading.scene), text_(text) {}
-
 void Reader::read() {
-    lex_text(text_.file);
-    max_steps_ = k_max_steps + tokens_[text_.file].size();
-    Frame frame;
-    frame.text = text_.file;
-    frame.tokens = tokens_[text_.file].data();
-    frame.end = static_cast<std::uint32_t>(tokens_[text_.file].size() - 1);
-    frames_.push_back(std::move(frame));
-    declare_numbers();
-    if (tokens_[text_.file].size() == 1 && lex_errors_[text_.file].message.empty()) {
+    begin();
+    if (own_tokens().size() == 1) {
         expected("an object, `camera`, `light_source`, `background` or a directive");
     }
-    while (!failed_ && peek().kind != TokenKind::end && !reading_.diagnostics.full()) read_statement();
-    finish_settings();
+    while (!failed() && peek().kind != TokenKind::end && !reading().diagnostics.full()) read_statement();
+    finish();
 }
 
-// What the caller declares.
-void Reader::declare_numbers() {
-    for (const auto& [name, value] : reading_.options.declared) {
-        const std::uint32_t number = names_.number_of(name);
-        if (Names::is_reserved(number)) continue;
-        if (bindings_.size() < names_.size()) bindings_.resize(names_.size());
-        bind(number, 0, Numbers(value));
+void Reader::read_statement() {
+    const Token item = peek();
+    if (item.is(';') || item.is(',')) {
+        take();
+        return;
     }
+    if (begins_object(item)) {
+        if (!begins_declared(item)) return builder_.place(read_object(), default_texture());
+        const ObjectPart object = read_part();
+        if (object) builder_.place(*object, default_texture());
+        return;
+    }
+    switch (item.word()) {
+        case Word::k_camera:
+            take();
+            camera_ = read_camera(item);
+            return;
+        case Word::k_background:
+            take();
+            return read_background(item);
+        case Word::k_global_settings:
+            take();
+            return read_global_settings();
+        case Word::k_fog:
+            take();
+            return read_fog(item);
+        case Word::k_default:  // without `#`
+            take();
+            return read_default();
+        case Word::k_declare:
+            take();
+            return read_declare(false);
+        case Word::k_sky_sphere:
+            take();
+            return read_sky(item);
+        case Word::k_rainbow:
+            take();
+            skip_block();
+            return builder_.report(missing(item, to_string(item.word())));
+        default:
+            break;
+    }
+    if (item.kind == TokenKind::word && !Names::is_reserved(item.name)) {
+        const std::string_view name = name_of(item.name);
+        if (find_value(item.name) == nullptr && !povray_meaning(name).empty()) {
+            take();
+            skip_block();
+            return builder_.report(missing(item, name));
+        }
+    }
+    expected("an object, `camera`, `light_source`, `background` or a directive");
 }
 
-std::optional<double> Reader::clock() const { return declared_number("clock"); }
-
-std::optional<double> Reader::declared_number(std::string_view wanted) const {
-    std::optional<double> number;
-    for (const auto& [name, value] : reading_.options.declared) {
-        if (name == wanted) number = value;
+// What the whole text decides.
+void Reader::finish() {
+    if (failed()) return;
+    const bool has_camera = camera_ || default_camera();
+    // A text of objects for another scene need not have a camera.
+    if (has_camera || !text().is_included) {
+        builder_.use_camera(camera_.value_or(default_camera().value_or(CameraItems())));
     }
-    return number;
-}
-
-// The size of the picture: the command's, else that of the profile.
-RenderSettings Reader::scene_size(const Token&) {
-    Scene sized;
-    sized.settings = scene_.settings;
-    const auto key = find_setting("size");
-    for (const auto& [name, value] : reading_.options.settings) {
-        if (key && name == "size") (void)set_setting(sized, *key, value, {}).ok();
+    if (!has_camera) scene_.camera_place = {};
+    if (!(ambient_light_ == Color{0, 0, 0})) {
+        Light ambient;
+        ambient.kind = LightKind::ambient;
+        ambient.color = ambient_light_;
+        scene_.light_texts.places.resize(scene_.lights.size());
+        scene_.light_texts.places.emplace_back();
+        scene_.lights.push_back(ambient);
     }
-    return sized.settings;
+    builder_.finish(camera_ ? camera_->at : own_tokens().front());
+    use_gamma();
+    const bool is_new = version_.value_or(0) >= 3.7;
+    if (!is_new) set("opacity", version_place_, "brightest");
+    set("rounding", version_place_, "half_up");
+    const double transmit = is_new ? std::clamp(background_[4], 0.0, 1.0) : 0;
+    scene_.background = Color{background_[0], background_[1], background_[2]} * (1 - transmit);
 }
 
 }  // namespace povray

@@ -46,11 +46,11 @@ bool has_normals_on_both_sides(const std::array<Vec3, 3>& vertices, const std::a
 
 // POV-Ray mixes the three normals in the mesh's space, glint the unit vectors after the transform. In small
 // parts of the triangle, whose normals have nearly the same length, both are the same.
-void Reader::add_smooth(const SmoothTriangle& whole, std::uint32_t material, const Token& at) {
+void SceneBuilder::add_smooth(const SmoothTriangle& whole, std::uint32_t material, const Token& at) {
     const int n = part_count(whole.normals);
     if (n == 1) return add(whole, material, nullptr, at);
-    shapes_ += static_cast<std::uint64_t>(n) * static_cast<std::uint64_t>(n);
-    if (shapes_ > max_shapes()) return error(at, fmt::format("more than {} shapes", max_shapes()));
+    if (!stream_.count_shapes(static_cast<std::uint64_t>(n) * static_cast<std::uint64_t>(n)))
+        return stream_.error(at, fmt::format("more than {} shapes", stream_.max_shapes()));
     for_each_part(n, [&](const std::array<CornerWeights, 3>& corners) {
         SmoothTriangle part;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -60,7 +60,7 @@ void Reader::add_smooth(const SmoothTriangle& whole, std::uint32_t material, con
             part.normals[k] = mixed(m[0], m[1], m[2], corners[k]);
         }
         add(part, material, nullptr, at);
-        return !failed_;
+        return !stream_.failed();
     });
 }
 

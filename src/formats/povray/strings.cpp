@@ -6,11 +6,22 @@
 
 #include "base/text.h"
 #include "formats/number_text.h"
-#include "formats/povray/reader.h"
+#include "formats/povray/value_parser.h"
 
 namespace glint::povray {
+namespace {
 
-bool Reader::begins_string(const Token& token) {
+// C's "%length.decimalsf"; a negative length means leading zeros, negative decimals mean six.
+std::string format_number(double value, double length, double decimals) {
+    const int width = static_cast<int>(std::clamp(length < 0 ? -length : length, 0.0, 300.0));
+    const int places = decimals < 0 ? 6 : static_cast<int>(std::clamp(decimals, 0.0, 100.0));
+    if (length < 0) return fmt::format("{:0{}.{}f}", value, width, places);
+    return fmt::format("{:{}.{}f}", value, width, places);
+}
+
+}  // namespace
+
+bool ValueParser::begins_string(const Token& token) {
     if (token.kind == TokenKind::string) return true;
     if (token.kind != TokenKind::word) return false;
     switch (token.word()) {
@@ -27,7 +38,7 @@ bool Reader::begins_string(const Token& token) {
 }
 
 // Never null.
-String Reader::string() {
+String ValueParser::string() {
     static const String empty = std::make_shared<const CountedString>();
     const Token token = peek();
     if (!begins_string(token)) {
@@ -39,7 +50,7 @@ String Reader::string() {
             const Value element = read_element(take(), std::move(array));
             if (const auto* text = std::get_if<String>(&element)) return *text;
         }
-        if (!failed_) expected("a string");
+        if (!failed()) expected("a string");
         return empty;
     }
     take();
@@ -54,17 +65,17 @@ String Reader::string() {
     const Deeper deeper(*this);
     if (!deeper.ok || !expect('(')) return empty;
     CountedString text = string_function(token.word());
-    if (!failed_) expect(')');
+    if (!failed()) expect(')');
     spend(text.size());
     if (text.size() > k_max_string) error(token, fmt::format("a string of more than {} bytes", k_max_string));
     return make_counted<const CountedString>(std::move(text));
 }
 
-CountedString Reader::string_function(Word word) {
+CountedString ValueParser::string_function(Word word) {
     switch (word) {
         case Word::k_concat: {
             CountedString text;
-            while (!failed_ && !peek().is(')') && text.size() <= k_max_string) {
+            while (!failed() && !peek().is(')') && text.size() <= k_max_string) {
                 text += *string();
                 accept(',');
             }
@@ -116,26 +127,18 @@ CountedString Reader::string_function(Word word) {
         }
         default:  // datetime
             number();
-            while (!failed_ && accept(',')) string();
+            while (!failed() && accept(',')) string();
             return {};
     }
 }
 
-// C's "%length.decimalsf"; a negative length means leading zeros, negative decimals mean six.
-std::string Reader::format_number(double value, double length, double decimals) {
-    const int width = static_cast<int>(std::clamp(length < 0 ? -length : length, 0.0, 300.0));
-    const int places = decimals < 0 ? 6 : static_cast<int>(std::clamp(decimals, 0.0, 100.0));
-    if (length < 0) return fmt::format("{:0{}.{}f}", value, width, places);
-    return fmt::format("{:{}.{}f}", value, width, places);
-}
-
 // As std::string::compare().
-int Reader::compare(std::string_view a, std::string_view b) {
+int ValueParser::compare(std::string_view a, std::string_view b) {
     spend(std::min(a.size(), b.size()) / 64);
     return a.compare(b);
 }
 
-double Reader::value_of(const Token& at, std::string_view text) {
+double ValueParser::value_of(const Token& at, std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '+')) text.remove_prefix(1);
     double value = 0;
     const bool is_number =

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "formats/povray/reach.h"
-#include "formats/povray/reader.h"
+#include "formats/povray/scene_builder.h"
 
 namespace glint::povray {
 namespace {
@@ -37,22 +37,23 @@ std::optional<double> size_of(const Scene& scene, double limit) {
 
 }  // namespace
 
-void Reader::check_size() {
+void SceneBuilder::check_size(const Token& scene_at) {
     const auto reflects = [](const Material& m) { return m.mirror > 0 || m.mirror_min > 0; };
     const bool has_mirrors = std::any_of(scene_.materials.begin(), scene_.materials.end(), reflects);
     const double limit = has_mirrors ? k_least_with_mirrors : k_least;
     const auto size = size_of(scene_, limit);
     if (!size || *size >= limit) return;
-    const Token at = camera_ ? camera_->at : tokens_[text_.file].front();
-    warn(at, fmt::format("all shapes are within {:.2g} units: POV-Ray's fixed tolerances change {} of scenes "
-                         "below {} units, and "
-                         "the picture will differ; scale the scene up to compare",
-                         *size, has_mirrors ? "the mirrors" : "the shadows", limit));
+    stream_.warn(
+        scene_at,
+        fmt::format("all shapes are within {:.2g} units: POV-Ray's fixed tolerances change {} of scenes "
+                    "below {} units, and "
+                    "the picture will differ; scale the scene up to compare",
+                    *size, has_mirrors ? "the mirrors" : "the shadows", limit));
 }
 
 // POV-Ray compares the product of the reflections at their greatest angles, glint the product of what they
 // are (measured; by default it shows little).
-void Reader::check_bailout() {
+void SceneBuilder::check_bailout() {
     if (!high_bailout_) return;
     const auto turns = [](const Material& m) { return m.mirror_falloff > 0 && m.mirror_min < m.mirror; };
     if (std::any_of(scene_.materials.begin(), scene_.materials.end(), turns))

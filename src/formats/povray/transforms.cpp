@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+// Transforms: translate, rotate, scale, matrix, transform.
+#include "formats/povray/texture_parser.h"
 #include "math/transform.h"
-
-#include <fmt/format.h>
-
-#include "formats/povray/reader.h"
 
 namespace glint::povray {
 
 // translate, rotate, scale, matrix, transform: false if none of them is next.
-bool Reader::read_transform_item(std::optional<Affine>& map) {
+bool TextureParser::read_transform_item(std::optional<Affine>& map) {
     const Token at = peek();
     Affine step;
     switch (at.word()) {
@@ -47,7 +45,7 @@ bool Reader::read_transform_item(std::optional<Affine>& map) {
     map = map ? compose(step, *map) : step;
     for (const auto& row : map->m) {
         for (const double x : row) {
-            if (!(x <= 1e150 && x >= -1e150) && !failed_) {
+            if (!(x <= 1e150 && x >= -1e150) && !failed()) {
                 error(at, "the transform's numbers are above 1e150");
             }
         }
@@ -56,10 +54,10 @@ bool Reader::read_transform_item(std::optional<Affine>& map) {
 }
 
 // < 12 numbers >: the rows of p' = p M, and then the translation.
-Affine Reader::read_matrix() {
+Affine TextureParser::read_matrix() {
     Affine map;
     if (!expect('<')) return map;
-    for (int i = 0; i < 12 && !failed_; ++i) {
+    for (int i = 0; i < 12 && !failed(); ++i) {
         map.m[i % 3][i / 3] = number();
         accept(',');
     }
@@ -68,7 +66,7 @@ Affine Reader::read_matrix() {
 }
 
 // { transforms }, or an identifier, after `transform`.
-Affine Reader::read_transform_block() {
+Affine TextureParser::read_transform_block() {
     std::optional<Affine> map;
     const auto read_identifier = [&] {
         const Token name = peek();
@@ -85,7 +83,7 @@ Affine Reader::read_transform_block() {
     }
     take();
     bool is_inverse = false;
-    while (!failed_ && !accept('}')) {
+    while (!failed() && !accept('}')) {
         if (accept(Word::k_inverse)) {
             is_inverse = true;
         } else if (!read_transform_item(map) && !read_identifier()) {

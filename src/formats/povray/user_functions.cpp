@@ -6,8 +6,7 @@
 
 #include <algorithm>
 
-#include "base/text.h"
-#include "formats/povray/reader.h"
+#include "formats/povray/value_parser.h"
 
 namespace glint::povray {
 namespace {
@@ -29,7 +28,7 @@ char rough_comparison(char symbol, bool& is_exact) {
 }
 
 // x, y, z, u and v are words of the language: as parameters they have names that no identifier has.
-std::uint32_t Reader::parameter_name(const Token& token) {
+std::uint32_t ValueParser::parameter_name(const Token& token) {
     if (token.kind != TokenKind::word) return k_none;
     if (!Names::is_reserved(token.name)) return token.name;
     switch (token.word()) {
@@ -37,22 +36,19 @@ std::uint32_t Reader::parameter_name(const Token& token) {
         case Word::k_y:
         case Word::k_z:
         case Word::k_u:
-        case Word::k_v: {
-            const std::uint32_t name = names_.number_of(fmt::format("parameter {}", to_string(token.word())));
-            if (bindings_.size() < names_.size()) bindings_.resize(names_.size());
-            return name;
-        }
+        case Word::k_v:
+            return number_of(fmt::format("parameter {}", to_string(token.word())));
         default:
             return k_none;
     }
 }
 
 // After `function`. What is no arithmetic is an error where it is called.
-std::shared_ptr<const Function> Reader::read_function(const Token& at) {
+std::shared_ptr<const Function> ValueParser::read_function(const Token& at) {
     auto out = make_counted<Function>();
     std::vector<std::uint32_t> axes;
     if (accept('(')) {
-        while (!failed_ && !accept(')')) {
+        while (!failed() && !accept(')')) {
             const Token parameter = take();
             if (parameter.kind == TokenKind::end) expected("`)`");
             if (parameter.is(',')) continue;
@@ -68,13 +64,13 @@ std::shared_ptr<const Function> Reader::read_function(const Token& at) {
         }
         out->parameters.assign(axes.begin(), axes.begin() + 3);
     }
-    if (failed_ || !expect('{')) return out;
+    if (failed() || !expect('{')) return out;
     Token mark = at;
     mark.kind = TokenKind::symbol;
     mark.symbol = '(';
     out->body.push_back(mark);
     int open = 0;
-    while (!failed_ && !(open == 0 && peek().is('}'))) {
+    while (!failed() && !(open == 0 && peek().is('}'))) {
         Token token = take();
         if (token.kind == TokenKind::end) {
             expected("`}`");
@@ -85,7 +81,7 @@ std::shared_ptr<const Function> Reader::read_function(const Token& at) {
         if (!take_part(token, *out, axes)) out->problem = what_problem(token);
         out->body.push_back(token);
     }
-    if (!failed_) expect('}');
+    if (!failed()) expect('}');
     mark.symbol = ')';
     out->body.push_back(mark);
     mark.kind = TokenKind::end;
@@ -93,10 +89,10 @@ std::shared_ptr<const Function> Reader::read_function(const Token& at) {
     return out;
 }
 
-std::string Reader::what_problem(const Token& token) { return describe(token) + what_is(token); }
+std::string ValueParser::what_problem(const Token& token) { return describe(token) + what_is(token); }
 
 // Whether a token is of an expression that glint evaluates; as it is to be read in a call.
-bool Reader::take_part(Token& token, const Function& function, const std::vector<std::uint32_t>& axes) {
+bool ValueParser::take_part(Token& token, const Function& function, const std::vector<std::uint32_t>& axes) {
     if (token.kind == TokenKind::number) return true;
     if (token.kind == TokenKind::symbol) {
         if (std::string_view("(),+-*/&|<>=lgn").find(token.symbol) == std::string_view::npos) return false;
@@ -125,7 +121,7 @@ bool Reader::take_part(Token& token, const Function& function, const std::vector
 }
 
 // The function's name has been read: (NUMBER, ...).
-Numbers Reader::call_function(const Token& name, const std::shared_ptr<const Function>& function) {
+Numbers ValueParser::call_function(const Token& name, const std::shared_ptr<const Function>& function) {
     const Deeper deeper(*this);
     if (!deeper.ok) return {};
     if (!function->problem.empty()) {
@@ -133,35 +129,21 @@ Numbers Reader::call_function(const Token& name, const std::shared_ptr<const Fun
               fmt::format("glint does not evaluate this function of POV-Ray: it has {}", function->problem));
         return {};
     }
-    if (frames_.size() >= k_max_frames) {
-        error(name, fmt::format("{}(): macros and includes are nested more than {} deep",
-                                names_.name(name.name), k_max_frames));
-    }
-    if (!expect('(')) return {};
+    if (!can_call(name) || !expect('(')) return {};
     std::vector<double> values;
-    while (!failed_ && values.size() < function->parameters.size()) {
+    while (!failed() && values.size() < function->parameters.size()) {
         if (peek().is(')')) {
             error(peek(), fmt::format("expected {} values for {}(), found {}", function->parameters.size(),
-                                      names_.name(name.name), values.size()));
+                                      name_of(name.name), values.size()));
         }
         values.push_back(number());
         accept(',');
     }
-    if (!failed_ && !accept(')')) {
-        expected(fmt::format("`)` after the {} values of {}()", values.size(), names_.name(name.name)));
+    if (!failed() && !accept(')')) {
+        expected(fmt::format("`)` after the {} values of {}()", values.size(), name_of(name.name)));
     }
-    if (failed_) return {};
-    Frame frame;
-    frame.kind = FrameKind::macro;
-    frame.text = name.text;
-    frame.tokens = function->body.data();
-    frame.end = static_cast<std::uint32_t>(function->body.size() - 1);
-    frame.conditions = conditions_.size();
-    frame.call = name;
-    frame.function = function;
-    frames_.push_back(std::move(frame));
-    for (std::size_t i = 0; i < values.size(); ++i)
-        bind(function->parameters[i], depth(), Numbers(values[i]));
+    if (failed()) return {};
+    enter(name, function, values);
     return primary();
 }
 

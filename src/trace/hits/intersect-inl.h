@@ -27,6 +27,14 @@ inline void intersect(const WorldParts& world, const RayBatch& rays, int first, 
     nearest_hit(world, rays.span(first), hits.count, k_packet_size, hits.columns());
 }
 
+/// The surfaces along a ray that are counted or skipped, at most.
+inline constexpr int k_max_steps = 4096;
+
+/// Finds the nearest hits of the stepped rays.
+inline void intersect_steps(const WorldParts& world, SteppedRays& steps) {
+    nearest_hit(world, steps.span(), steps.count, k_packet_size, steps.hits());
+}
+
 /// Determines which shadow rays are occluded.
 inline void intersect_shadow(const WorldParts& world, ShadowRayBatch& shadow_rays) {
     any_hit(world, shadow_rays.span(), shadow_rays.count, k_packet_size, shadow_rays.occluded.data());

@@ -15,14 +15,6 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// The surfaces along a ray that are counted or skipped, at most.
-inline constexpr int k_max_steps = 4096;
-
-/// Finds the nearest hits of the stepped rays.
-inline void intersect_steps(const WorldParts& world, SteppedRays& steps) {
-    nearest_hit(world, steps.span(), steps.count, k_packet_size, steps.hits());
-}
-
 /// Lets the rays of a stream that have passed as many transparent surfaces as the conventions shade go on to
 /// the next surface that is not transparent. A surface that is passed in this way is of the next generation
 /// if transparency counts; a ray beyond the limit of generations then hits nothing with

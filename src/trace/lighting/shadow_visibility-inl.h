@@ -10,7 +10,6 @@
 #include <bit>
 
 #include "trace/hits/intersect-inl.h"
-#include "trace/hits/skip_transparent-inl.h"
 #include "trace/record.h"
 #include "world/appearance/appearance.h"
 

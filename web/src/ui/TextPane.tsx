@@ -63,7 +63,7 @@ function Messages() {
                     {missing.value.join(', ')} {missing.value.length === 1 ? 'is' : 'are'} not here. Drop {missing.value.length === 1 ? 'it' : 'them'} onto the page, or <FileButton label="choose the file…" />
                 </p>
             )}
-            {(skipsUnsupported.value || list.some((one) => one.message.includes('option skip-unsupported'))) && (
+            {(skipsUnsupported.value || list.some((one) => one.can_skip)) && (
                 <label class="message skip">
                     <input type="checkbox" checked={skipsUnsupported.value} onChange={(event) => skipUnsupported(event.currentTarget.checked)} />
                     {' '}leave out what glint does not render (skip-unsupported)

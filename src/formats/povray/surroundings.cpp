@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// sky_sphere: a gradient of two colors becomes the scene's background gradient.
+// background, fog and sky_sphere: a gradient of two colors becomes that of the background.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +11,6 @@
 namespace glint::povray {
 namespace {
 
-constexpr std::size_t k_max_map = 256;  // entries of a color_map; POV-Ray's limit
 constexpr double k_same_place = 1e-9, k_far = 1e6;
 
 bool is_opaque_color(const std::array<double, 5>& c) { return c[3] == 0 && c[4] == 0; }
@@ -68,6 +67,56 @@ std::optional<BackgroundGradient> background_of(const Pigment& pigment, const st
 
 }  // namespace
 
+void Reader::read_background(const Token& at) {
+    if (!expect('{')) return;
+    const std::array<double, 5> c = color(true);
+    expect('}');
+    if (failed()) return;
+    // The transmit of a background counts from version 3.7 on.
+    background_ = c;
+    scene_.background_place = place_of(at);
+    reading().background_given = true;
+}
+
+// fog { items }: of constant density.
+void Reader::read_fog(const Token& at) {
+    Fog fog;
+    fog.color = {0, 0, 0};
+    fog.density = 0;
+    if (!expect('{')) return;
+    std::optional<Affine> map;
+    while (!failed() && !accept('}')) {
+        if (accept(',') || read_transform_item(map)) continue;
+        const Token item = peek();
+        // POV-Ray takes `color` twice here, and only here; color() takes the second one.
+        const bool has_word = accept(Word::k_color) || accept(Word::k_colour);
+        if (has_word || begins_color(item) || (begins_number(item) && item.kind == TokenKind::word)) {
+            const std::array<double, 5> c = color(true);
+            fog.color = {c[0], c[1], c[2]};
+            fog.transmit = std::clamp(c[4], 0.0, 1.0);
+            if (c[3] != 0) builder_.report({"filter", "of a fog", at});
+            continue;
+        }
+        take();
+        if (item.word() == Word::k_distance) {
+            const double distance = number();
+            fog.density = distance > 0 ? 1 / distance : 0;
+        } else if (item.word() == Word::k_fog_type) {
+            if (number() != 1) builder_.report({"fog_type 2", "fog on the ground", item});
+        } else if (item.kind == TokenKind::word && !Names::is_reserved(item.name) && begins_number(peek())) {
+            builder_.report({"turbulence", "of a fog", item});
+            expression();
+        } else {
+            error(item, fmt::format("expected `distance`, a color, `fog_type` or `}}`, found {}{}",
+                                    describe(item), what_is(item)));
+        }
+    }
+    if (failed() || fog.density == 0) return;
+    if (scene_.fog) builder_.report({"fog", "a second one", at});
+    scene_.fog = fog;
+    scene_.fog_place = place_of(at);
+}
+
 // sky_sphere { pigment ... transforms }
 void Reader::read_sky(const Token& at) {
     const Deeper deeper(*this);
@@ -75,11 +124,11 @@ void Reader::read_sky(const Token& at) {
     std::optional<Affine> map;
     std::optional<Pigment> pigment;
     bool is_one = true;
-    while (!failed_ && !accept('}')) {
+    while (!failed() && !accept('}')) {
         if (read_transform_item(map)) continue;
         if (accept(Word::k_pigment)) {
             is_one = is_one && !pigment;
-            pigment = default_texture_.pigment;
+            pigment = default_texture().pigment;
             read_pigment(*pigment);
         } else if (accept(Word::k_emission)) {
             color(true);
@@ -88,63 +137,11 @@ void Reader::read_sky(const Token& at) {
             skip_rest();
         }
     }
-    if (failed_) return;
+    if (failed()) return;
     scene_.gradient.reset();
     if (pigment && is_one) scene_.gradient = background_of(*pigment, map);
     scene_.gradient_place = place_of(at);
-    if (!scene_.gradient) report({"sky_sphere", "other than a gradient of two colors", at});
-}
-
-// VECTOR items, after `gradient`: null for items that a sky cannot have. The rest of the block is read.
-std::shared_ptr<const GradientPattern> Reader::read_gradient(std::optional<Affine> map) {
-    auto gradient = make_counted<GradientPattern>();
-    const Token at = peek();
-    gradient->axis = vector();
-    if (!failed_ && gradient->axis == Vec3{0, 0, 0}) error(at, "expected a gradient other than 0");
-    gradient->axis = normalize(gradient->axis);  // its length does not count in POV-Ray
-    bool is_known = true;
-    while (!failed_ && !peek().is('}')) {
-        if (read_transform_item(map)) continue;
-        if (accept(Word::k_color_map) || accept(Word::k_colour_map)) {
-            is_known = read_color_map(gradient->map) && is_known;
-        } else {
-            is_known = false;
-            skip_rest();
-        }
-    }
-    gradient->transform = map;
-    return is_known ? gradient : nullptr;
-}
-
-// { [number color] ... }; also [number number color color]. False if the map is the name of one.
-bool Reader::read_color_map(CountedVector<ColorMapEntry>& map) {
-    if (!expect('{')) return false;
-    while (!failed_ && !accept('}')) {
-        const Token at = peek();
-        if (!at.is('[')) {
-            skip_rest();
-            continue;
-        }
-        take();
-        ColorMapEntry entry{number(), {}};
-        std::optional<double> second;
-        accept(',');
-        const Numbers next = begins_color(peek()) ? color_value() : expression();
-        if (next.terms == 1) {
-            second = next.v[0];
-            accept(',');
-            entry.color = color(true);
-        } else {
-            entry.color = promoted(next, 5).v;
-        }
-        map.push_back(entry);
-        accept(',');
-        if (second) map.push_back({*second, color(true)});
-        expect(']');
-        accept(',');
-        if (map.size() > k_max_map) error(at, fmt::format("expected at most {} entries", k_max_map));
-    }
-    return !failed_ && !map.empty();
+    if (!scene_.gradient) builder_.report({"sky_sphere", "other than a gradient of two colors", at});
 }
 
 }  // namespace glint::povray

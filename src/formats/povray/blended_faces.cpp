@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Faces of meshes with a texture at each corner: as small triangles of one color.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "formats/povray/add_shape.h"
+#include "formats/povray/parts.h"
+#include "math/number.h"
+
+namespace glint::povray {
+namespace {
+
+// The parts of a face along a side, and the strips of one with two colors.
+constexpr int k_max_parts = 32, k_max_fine_parts = 64, k_max_strips = 171;
+constexpr std::uint64_t k_few_shapes = 1'000'000;
+
+bool same_light(const Finish& a, const Finish& b) {
+    return a.ambient == b.ambient && a.emission == b.emission &&
+           a.brightest_diffuse() == b.brightest_diffuse() && a.brilliance == b.brilliance &&
+           a.brightest_phong() == b.brightest_phong() && a.phong_size == b.phong_size &&
+           a.brightest_specular() == b.brightest_specular() && a.roughness == b.roughness &&
+           a.metallic == b.metallic && a.reflection_max == b.reflection_max &&
+           a.reflection_min == b.reflection_min;
+}
+
+}  // namespace
+
+// The three textures of a face are blended between its corners: by parts of one color each, whose colors
+// differ by at most 1.5 of 255, or more if the three corners have very different ones.
+void SceneBuilder::add_blended_face(const Object& o, const Inherited& own, const Mesh::Face& face,
+                                    std::span<const Vec3> points, std::span<const Vec3> normals) {
+    const Mesh& mesh = *o.mesh;
+    std::array<const Texture*, 3> textures{};
+    double most = 0;
+    for (std::size_t i = 0; i < 3; ++i) textures[i] = mesh.textures[face.textures[i]].get();
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 5; ++k) {
+            const double d = textures[i]->pigment.color[k] - textures[(i + 1) % 3]->pigment.color[k];
+            most = std::max(most, number::abs(d));
+        }
+    }
+    for (const Texture* texture : textures) {
+        if (texture->pigment.missing) report(*texture->pigment.missing);
+        report(texture->missing);
+        if (!same_light(texture->finish, textures[0]->finish)) {
+            report({"texture_list", "with different finishes at the corners of a face",
+                    stream_.call_place(o.at)});
+        }
+    }
+    const auto corner = [&](std::span<const Vec3> from, const std::array<std::uint32_t, 3>& of,
+                            const CornerWeights& w) {
+        return mixed(from[of[0]], from[of[1]], from[of[2]], w);
+    };
+    using Corners = std::array<CornerWeights, 3>;
+    // colors: the part's color is their mean.
+    const auto add_part = [&](const Corners& corners, const Corners& colors) {
+        Texture texture = *textures[0];
+        texture.pigment.color.fill(0);
+        SmoothTriangle part;
+        for (std::size_t k = 0; k < 3; ++k) {
+            part.vertices[k] = corner(points, face.vertices, corners[k]);
+            if (face.has_normals) part.normals[k] = corner(normals, face.normals, corners[k]);
+            for (std::size_t c = 0; c < 5; ++c) {
+                const auto at = [&](std::size_t i) { return textures[i]->pigment.color[c]; };
+                texture.pigment.color[c] += mixed(at(0), at(1), at(2), colors[k]) / 3;
+            }
+        }
+        Inherited part_own = own;
+        part_own.texture = &texture;
+        const std::uint32_t material = material_of(part_own, o.at);
+        if (face.has_normals) {
+            add(part, material, nullptr, o.at);
+        } else {
+            add(Triangle{{part.vertices[0], part.vertices[1], part.vertices[2]}}, material, nullptr, o.at);
+        }
+        return !stream_.failed();
+    };
+    const auto has_room = [&](int parts) {
+        if (!stream_.count_shapes(static_cast<std::uint64_t>(parts))) {
+            stream_.error(
+                o.at, fmt::format("the colors of this mesh take more than {} triangles: glint draws a face "
+                                  "with several colors as many small triangles of one color; try fewer "
+                                  "faces, or one texture for each face",
+                                  stream_.max_shapes()));
+        }
+        return !stream_.failed();
+    };
+    const int steps = static_cast<int>(std::min(most, 10.0) * 170) + 1;
+    for (std::size_t i = 0; i < 3 && steps > k_max_parts; ++i) {
+        if (!(textures[(i + 1) % 3]->pigment == textures[(i + 2) % 3]->pigment)) continue;
+        // Only one corner has another color: strips along the side opposite to it.
+        const int strips = std::min(steps, k_max_strips);
+        if (!has_room(2 * strips)) return;
+        return for_each_strip(strips, i, [&](const Corners& corners, const CornerWeights& middle) {
+            return add_part(corners, {middle, middle, middle});
+        });
+    }
+    const int n = std::clamp(steps, 1, stream_.shapes() < k_few_shapes ? k_max_fine_parts : k_max_parts);
+    if (!has_room(n * n)) return;
+    for_each_part(n, [&](const Corners& corners) { return add_part(corners, corners); });
+}
+
+}  // namespace glint::povray

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Objects and cameras as the text has them.
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "formats/povray/texture.h"
+
+namespace glint::povray {
+
+enum class ObjectKind : std::uint8_t {
+    sphere,
+    cylinder,
+    cone,
+    box,
+    plane,
+    disc,
+    triangle,
+    smooth_triangle,
+    mesh,
+    polygon,
+    group,
+    light,
+    refused
+};
+
+struct Mesh {
+    struct Face {
+        std::array<std::uint32_t, 3> vertices{}, normals{}, textures{};
+        bool has_normals = false, has_texture = false, has_textures = false;  // one texture, or one a corner
+    };
+    CountedVector<Vec3> vertices, normals;
+    CountedVector<Face> faces;
+    CountedVector<std::shared_ptr<const Texture>> textures;
+};
+
+struct LightSource {
+    Light light;  ///< position, color and kind; the direction of spots and parallel lights is point_at -
+                  ///< position
+    Vec3 point_at{0, 0, 1};
+    bool is_parallel = false, is_area = false;
+    MissingList missing;
+};
+
+/// What clipped_by cuts off a shape: nothing that is seen, or the scene has no meaning.
+struct Clip {
+    struct HalfSpace {
+        Vec3 n;
+        double d = 0;  ///< dot(n, p) <= d is kept
+    };
+    CountedVector<HalfSpace> halves;  ///< those that cut, in world space; empty: not known
+    double reach = 0;                 ///< of the shape's points, the greatest distance from 0
+    std::optional<Affine> map;        ///< Object::map where the clip was read
+    Missing missing;
+};
+
+struct Object;
+using ObjectPart = std::shared_ptr<const Object>;
+
+/// An object: a shape, a group of objects, a light, or one that is not rendered. Parts are shared.
+struct Object {
+    ObjectKind kind = ObjectKind::group;
+    Vec3 a, b, c;         ///< points; sphere: center; plane, disc: normal in b
+    double r = 0, s = 0;  ///< radii; plane: the distance
+    bool is_open = false, is_no_shadow = false, is_merge = false;
+    Token at;
+    std::optional<Affine> map;  ///< world_from_object
+    std::shared_ptr<const Texture> texture;
+    std::shared_ptr<const std::array<Vec3, 3>> normals;  ///< of a smooth triangle
+    std::shared_ptr<const CountedVector<ObjectPart>> parts;
+    std::shared_ptr<const Mesh> mesh;  ///< of a polygon: its vertices
+    std::shared_ptr<const LightSource> light;
+    std::shared_ptr<const Clip> clip;
+    std::shared_ptr<const Opaque> interior;
+    std::optional<bool> hollow;
+    std::optional<Token> no_reflection;
+    MissingList missing;      ///< what is not rendered of it
+    std::uint64_t count = 1;  ///< of shapes in it
+    int depth = 1;            ///< of groups
+};
+
+/// The width of the default camera's picture, whose height is 1: not 4/3 (POV-Ray, measured).
+inline constexpr double k_default_right = 1.33;
+
+/// Of a smooth triangle: POV-Ray leaves those out (measured).
+bool has_normals_on_both_sides(const std::array<Vec3, 3>& vertices, const std::array<Vec3, 3>& normals);
+
+struct CameraItems {
+    bool is_orthographic = false, has_right = false, has_up = false, has_angle = false;
+    std::optional<Vec3> look_at;
+    Vec3 location{0, 0, 0}, direction{0, 0, 1}, up{0, 1, 0}, right{k_default_right, 0, 0}, sky{0, 1, 0};
+    double angle = 0;
+    std::optional<Affine> map;
+    Token at;
+    MissingList missing;
+};
+
+}  // namespace glint::povray

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Objects: shapes, groups, meshes and lights with their modifiers; and cameras. In objects.cpp, shapes.cpp,
+// modifiers.cpp, meshes.cpp, polygons.cpp, lights.cpp and camera.cpp.
+#include <array>
+#include <optional>
+
+#include "formats/povray/texture_parser.h"
+
+namespace glint::povray {
+
+class ObjectParser : public TextureParser {
+  protected:
+    using TextureParser::TextureParser;
+
+    bool begins_object(const Token& token);
+    bool begins_declared(const Token& word);
+    Object read_object();
+    ObjectPart read_part();
+    CameraItems read_camera(const Token& word);
+    /// What #default gives.
+    std::optional<CameraItems>& default_camera() { return default_camera_; }
+
+  private:
+    Value other_value(const Token& first) override;
+
+    // objects.cpp
+    Object read_copy();
+    ObjectPart object_of(const Token& name);
+    Object refuse_object(const Token& word);
+    Object read_group(const Token& word);
+
+    // shapes.cpp
+    Object read_shape(const Token& word);
+    void check_shape(Object& object);
+
+    // modifiers.cpp
+    void read_modifiers(Object& object);
+    bool read_modifier(Object& object);
+    void read_clip(Object& object);
+
+    // meshes.cpp
+    Object read_mesh(const Token& word);
+    Object read_mesh2(const Token& word);
+    void read_mesh_triangle(Mesh& mesh);
+    void check_mesh(const Token& at, Mesh& mesh, bool has_normal_indices);
+    std::size_t read_count();
+    void read_face_indices(std::array<std::uint32_t, 3>& indices);
+    std::uint32_t read_index();
+    CountedVector<Vec3> read_points();
+    void read_faces(Mesh& mesh);
+    void read_normal_indices(Mesh& mesh);
+    void read_texture_list(Mesh& mesh);
+
+    // polygons.cpp
+    Object read_polygon(const Token& word);
+    void take_outlines(const CountedVector<Vec3>& points, Object& object);
+
+    // lights.cpp
+    Object read_light(const Token& word);
+    void read_looks_like(Object& light);
+    std::int32_t sample_count();
+
+    std::optional<CameraItems> default_camera_;
+};
+
+}  // namespace glint::povray

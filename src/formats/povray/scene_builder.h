@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Objects to the Scene: groups are resolved, maps are applied to the shapes, textures become materials; and
+// what of POV-Ray's rules only the whole scene decides.
+#include <array>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "formats/load_state.h"
+#include "formats/number_table.h"
+#include "formats/povray/object.h"
+#include "formats/povray/token_stream.h"
+
+namespace glint::povray {
+
+class SceneBuilder {
+  public:
+    /// stream: for messages, places and limits.
+    SceneBuilder(LoadState& reading, TokenStream& stream)
+        : reading_(reading), scene_(reading.scene), stream_(stream) {}
+
+    /// default_texture: of shapes that have none, and are in no group with one.
+    void place(const Object& object, const Texture& default_texture);
+    void use_camera(const CameraItems& camera);
+    /// Where the text sets adc_bailout above 1/255, if it does.
+    void set_high_bailout(const std::optional<Token>& at) { high_bailout_ = at; }
+    /// A feature that is not rendered: a warning for the first of each name, or an error. Does not end the
+    /// reading.
+    void report(const Missing& missing);
+    /// After everything has been placed. scene_at: the token that stands for the scene in messages.
+    void finish(const Token& scene_at);
+
+  private:
+    // What an object has from the groups around it.
+    struct Inherited {
+        const Texture* texture = nullptr;
+        const Affine* map = nullptr;
+        const Opaque* interior = nullptr;
+        bool is_no_shadow = false, is_merge = false;
+        bool is_solid = false;  // a shape whose inside is known
+        // Of the interior: that of the whole object, or of a part that has its own.
+        std::optional<bool> hollow;  // the outermost `hollow`
+        bool has_interior = false, is_hollow = false;
+        std::int32_t body = 0;  // the number of an interior with several shapes
+    };
+
+    // place.cpp
+    void place(const Object& object, const Inherited& from);
+    void place_shape(const Object& object, const Inherited& from);
+    void place_mesh(const Object& object, const Inherited& own);
+    SourcePlace shape_place(const Token& at);
+    template <class Shape>
+    void add(const Shape& shape, std::uint32_t material, const Affine* map, const Token& at);
+
+    // report.cpp
+    void report(const MissingList& missing);
+    bool leave_out(const Object& object);
+
+    // materials.cpp
+    std::uint32_t material_of(const Inherited& own, const Token& at);
+    void report_texture(const Inherited& own, const Token& at);
+
+    // place_lights.cpp
+    void place_light(const Object& object, const Inherited& own);
+    void place_look(const Object& object, const Inherited& own);
+
+    // blended_faces.cpp
+    void add_blended_face(const Object& object, const Inherited& own, const Mesh::Face& face,
+                          std::span<const Vec3> points, std::span<const Vec3> normals);
+
+    // smooth.cpp
+    void add_smooth(const SmoothTriangle& whole, std::uint32_t material, const Token& at);
+
+    // interiors.cpp
+    struct ShapeInteriors {
+        std::size_t first = 0, end = 0;
+        std::int32_t body = 0;
+        bool is_hollow = false;
+    };
+    void inherit_interior(const Object& object, Inherited& own);
+    void note_interior(std::size_t first, const Inherited& own);
+    void use_interiors();
+
+    // parallel.cpp, glass.cpp, tiny.cpp, finish.cpp: of the whole scene
+    struct ParallelLight {
+        Vec3 position, to_light;
+        Token at;
+    };
+    double glass_of(const Inherited& own) const;
+    void check_parallel_lights();
+    void check_glass();
+    void check_size(const Token& scene_at);
+    void check_bailout();
+    void check_no_reflection();
+    void check_clips();
+
+    LoadState& reading_;
+    Scene& scene_;
+    TokenStream& stream_;
+    std::uint64_t placed_ = 0;
+    CountedVector<ParallelLight> parallel_lights_;
+    std::optional<Token> high_bailout_;   // adc_bailout above 1/255
+    std::optional<Token> no_reflection_;  // the first object with it
+    CountedVector<std::shared_ptr<const Clip>> clips_;
+    CountedVector<ShapeInteriors> interiors_;  // in the order of the shapes
+    std::int32_t bodies_ = 0;
+    CountedVector<std::uint32_t> glass_;  // shapes that refract
+    Token glass_at_;                      // the last of them
+    NumberTable<33> materials_;
+    NumberTable<33>::Key last_key_{};
+    std::uint32_t last_material_ = k_none;
+    bool is_last_plain_ = false;  // its shape had no warnings but those of the material
+    Token last_place_token_;
+    SourcePlace last_place_;
+    std::vector<std::string> warned_;  // what has been refused
+};
+
+}  // namespace glint::povray

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shapes: spheres, boxes, cylinders ...
+#include <fmt/format.h>
+
+#include "formats/povray/object_parser.h"
+
+namespace glint::povray {
+
+Object ObjectParser::read_shape(const Token& word) {
+    Object object;
+    object.at = word;
+    if (!expect('{')) return object;
+    if (begins_declared(peek()) && begins_object(peek())) return read_copy();
+    const auto next = [&] { return accept(','); };
+    switch (word.word()) {
+        case Word::k_sphere:
+            object.kind = ObjectKind::sphere;
+            object.a = vector();
+            next();
+            object.r = number();
+            break;
+        case Word::k_cylinder:
+        case Word::k_cone:
+            object.kind = word.word() == Word::k_cone ? ObjectKind::cone : ObjectKind::cylinder;
+            object.a = vector();
+            next();
+            if (word.word() == Word::k_cone) {
+                object.r = number();
+                next();
+            }
+            object.b = vector();
+            next();
+            (word.word() == Word::k_cone ? object.s : object.r) = number();
+            object.is_open = accept(Word::k_open);
+            break;
+        case Word::k_box:
+            object.kind = ObjectKind::box;
+            object.a = vector();
+            next();
+            object.b = vector();
+            break;
+        case Word::k_plane:
+            object.kind = ObjectKind::plane;
+            object.b = vector();
+            next();
+            object.s = number();
+            break;
+        case Word::k_disc:
+            object.kind = ObjectKind::disc;
+            object.a = vector();
+            next();
+            object.b = vector();
+            next();
+            object.r = number();
+            if (next()) object.s = number();
+            break;
+        case Word::k_triangle:
+            object.kind = ObjectKind::triangle;
+            object.a = vector();
+            next();
+            object.b = vector();
+            next();
+            object.c = vector();
+            break;
+        default: {
+            object.kind = ObjectKind::smooth_triangle;
+            std::array<Vec3, 3> normals;
+            object.a = vector();
+            next();
+            normals[0] = vector();
+            next();
+            object.b = vector();
+            next();
+            normals[1] = vector();
+            next();
+            object.c = vector();
+            next();
+            normals[2] = vector();
+            object.normals = make_counted<const std::array<Vec3, 3>>(normals);
+        }
+    }
+    check_shape(object);
+    read_modifiers(object);
+    return object;
+}
+
+// What POV-Ray refuses, and what glint has no shape for.
+void ObjectParser::check_shape(Object& object) {
+    if (failed()) return;
+    const bool has_axis = object.kind == ObjectKind::cylinder || object.kind == ObjectKind::cone;
+    if (has_axis && object.a == object.b) {
+        error(object.at, fmt::format("expected two ends at different points of a {}", text_of(object.at)));
+    }
+    if (object.kind == ObjectKind::plane || object.kind == ObjectKind::disc) {
+        if (object.b == Vec3{0, 0, 0}) error(object.at, "expected a normal other than 0");
+    }
+    if (object.kind == ObjectKind::disc && object.s > 0) {
+        object.missing.add({"disc", "with a hole", call_place(object.at), true});
+    }
+    if (object.r < 0) object.r = -object.r;
+    if (object.s < 0 && object.kind == ObjectKind::cone) object.s = -object.s;
+}
+
+}  // namespace glint::povray

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Textures as the text has them, and notes of what is not rendered.
+#include <array>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "formats/povray/value.h"
+
+namespace glint::povray {
+
+/// A color without its filter and transmit.
+inline Color rgb_of(const std::array<double, 5>& c) { return {c[0], c[1], c[2]}; }
+
+/// A feature that is not rendered, and its place: reported if something that has it becomes part of the
+/// scene.
+struct Missing {
+    std::string_view name;     ///< "normal"
+    std::string_view meaning;  ///< "a bumpy normal"; may be empty
+    Token at;
+    bool is_error = false;  ///< without it the scene has no meaning
+};
+
+/// The features of one thing that are not rendered; of each name the first, and at most a few.
+class MissingList {
+  public:
+    void add(const Missing& missing);
+    bool empty() const { return list_.empty(); }
+    bool has_error() const;
+    auto begin() const { return list_.begin(); }
+    auto end() const { return list_.end(); }
+
+  private:
+    CountedVector<Missing> list_;
+};
+
+struct ColorMapEntry {
+    double at = 0;
+    std::array<double, 5> color{};
+};
+
+/// The pattern `gradient`, which a sky can have: x = axis · p, axis of length 1, p the point in the pigment's
+/// space.
+struct GradientPattern {
+    Vec3 axis{0, 1, 0};
+    CountedVector<ColorMapEntry> map;
+    std::optional<Affine> transform;  ///< of the pattern
+};
+
+struct Pigment {
+    std::array<double, 5> color{0, 0, 0, 0, 0};
+    std::optional<Missing> missing;  ///< a pattern that is not rendered
+    std::shared_ptr<const GradientPattern> gradient;
+    friend bool operator==(const Pigment& a, const Pigment& b) { return a.color == b.color; }
+};
+
+struct Opaque;
+
+/// The defaults are POV-Ray's.
+struct Finish {
+    Color ambient{0.1, 0.1, 0.1}, emission{0, 0, 0};
+    double diffuse = 0.6, brilliance = 1;
+    double phong = 0, phong_size = 40, specular = 0, roughness = 0.05, metallic = 0;
+    Color reflection_min{0, 0, 0}, reflection_max{0, 0, 0};
+    double reflection_exponent = 1, reflection_falloff = 1, reflection_metallic = 0;
+    bool reflection_fresnel = false, conserve_energy = false;
+    double crand = 0, diffuse_back = 0;
+    bool has_no_refraction = false;  ///< `refraction 0`
+    /// `albedo`: the number before is of all the light that the surface sends back, not of its brightest
+    /// place.
+    bool diffuse_albedo = false, phong_albedo = false, specular_albedo = false;
+    std::shared_ptr<const Opaque> interior{};  ///< of `ior` in a finish: an old place of it
+    MissingList missing;
+
+    /// diffuse, phong and specular as factors of the brightest place.
+    double brightest_diffuse() const;
+    double brightest_phong() const;
+    double brightest_specular() const;
+};
+
+struct Texture {
+    Pigment pigment;
+    Finish finish;
+    MissingList missing;      ///< a normal, a texture map, ...
+    bool is_layered = false;  ///< below it are other textures
+};
+
+/// A block that has a meaning only where it is used, and is not rendered: normal, interior, color_map, ...
+struct Opaque {
+    Word word = Word::k_none;
+    Token at;
+    double ior = 1;       ///< of an interior
+    MissingList missing;  ///< what else of an interior counts
+};
+
+struct MaterialValue {
+    std::shared_ptr<const Texture> texture;
+    std::shared_ptr<const Opaque> interior;
+    MissingList missing;
+};
+
+}  // namespace glint::povray
