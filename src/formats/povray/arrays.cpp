@@ -171,7 +171,7 @@ void ValueParser::assign_element(const Token& name, Value& whole, std::span<cons
 // dimensions(ARRAY), dimension_size(ARRAY, i)
 Numbers ValueParser::array_size(const Token& name) {
     const Token token = take();
-    const Value* value = token.kind == TokenKind::word ? find_value(token.name) : nullptr;
+    const Value* value = find_value(token);
     const auto* array = value ? std::get_if<std::shared_ptr<Array>>(value) : nullptr;
     if (array == nullptr) {
         error(token, fmt::format("expected an array, found {}{}", describe(token), what_is(token)));

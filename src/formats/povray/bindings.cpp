@@ -54,7 +54,9 @@ Reference TokenStream::target_of(Reference reference) {
     }
 }
 
-const Value* TokenStream::find_value(std::uint32_t name) {
+const Value* TokenStream::find_value(const Token& token) {
+    if (token.kind != TokenKind::word || Names::is_reserved(token.name)) return nullptr;
+    std::uint32_t name = token.name;
     const Binding* binding = find_binding(name, depth());
     return binding == nullptr ? nullptr : &binding->value;
 }

@@ -64,8 +64,7 @@ Opaque TextureParser::read_interior(const Token& at) {
     while (!failed() && !accept('}')) {
         const Token item = take();
         const std::string_view name = item.kind == TokenKind::word ? text_of(item) : std::string_view();
-        const Value* value =
-            !name.empty() && !Names::is_reserved(item.name) ? find_value(item.name) : nullptr;
+        const Value* value = find_value(item);
         if (const auto* held = value ? std::get_if<std::shared_ptr<const Opaque>>(value) : nullptr) {
             out.ior = (*held)->ior;
             out.missing = (*held)->missing;

@@ -44,7 +44,7 @@ std::string TokenStream::describe(const Token& token) const {
 std::string TokenStream::what_is(const Token& token) {
     if (token.kind != TokenKind::word) return {};
     if (!Names::is_reserved(token.name)) {
-        if (const Value* value = find_value(token.name)) return fmt::format(", {}", povray::describe(*value));
+        if (const Value* value = find_value(token)) return fmt::format(", {}", povray::describe(*value));
         const std::string_view meaning = povray_meaning(names_.name(token.name));
         if (!meaning.empty()) return fmt::format(" ({} of POV-Ray's that glint does not render)", meaning);
         return ", which is not declared";

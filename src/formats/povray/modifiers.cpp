@@ -12,7 +12,7 @@ void ObjectParser::read_modifiers(Object& object) {
         if (accept(',') || read_modifier(object)) continue;
         const Token item = peek();
         const std::string_view name = text_of(item);
-        if (item.kind == TokenKind::word && !povray_meaning(name).empty() && !find_value(item.name)) {
+        if (item.kind == TokenKind::word && !povray_meaning(name).empty() && !find_value(item)) {
             take();
             object.missing.add(missing(item, name));
             if (peek().is('{')) skip_block();

@@ -61,7 +61,7 @@ bool ObjectParser::begins_object(const Token& token) {
             break;
     }
     if (Names::is_reserved(token.name)) return false;
-    if (const Value* value = find_value(token.name)) {
+    if (const Value* value = find_value(token)) {
         if (const auto* array = std::get_if<std::shared_ptr<Array>>(value)) {
             return !(*array)->elements.empty() &&
                    std::holds_alternative<std::shared_ptr<const Object>>((*array)->elements.front());
@@ -74,9 +74,7 @@ bool ObjectParser::begins_object(const Token& token) {
 
 // Whether an object begins here that may be a declared one: its name, or `object`.
 bool ObjectParser::begins_declared(const Token& word) {
-    if (word.kind != TokenKind::word) return false;
-    if (Names::is_reserved(word.name)) return word.word() == Word::k_object;
-    return find_value(word.name) != nullptr;
+    return word.word() == Word::k_object || find_value(word) != nullptr;
 }
 
 Object ObjectParser::read_object() {
@@ -142,7 +140,7 @@ Object ObjectParser::read_copy() {
 
 // The object that an identifier or an element of an array stands for. Null after an error.
 ObjectPart ObjectParser::object_of(const Token& name) {
-    const Value* found = find_value(name.name);
+    const Value* found = find_value(name);
     Value value = found != nullptr ? *found : Value();
     if (std::holds_alternative<std::shared_ptr<Array>>(value)) value = read_element(name, std::move(value));
     if (failed()) return nullptr;

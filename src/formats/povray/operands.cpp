@@ -98,7 +98,7 @@ Numbers ValueParser::vector_literal() {
 }
 
 Numbers ValueParser::identifier(const Token& name) {
-    const Value* found = find_value(name.name);
+    const Value* found = find_value(name);
     if (found == nullptr) {
         error(name, fmt::format("expected a number, found {}{}", describe(name), what_is(name)));
         return {};
@@ -157,7 +157,7 @@ bool ValueParser::begins_number(const Token& token) {
     }
     if (token.kind != TokenKind::word) return false;
     if (!Names::is_reserved(token.name)) {
-        const Value* value = find_value(token.name);
+        const Value* value = find_value(token);
         if (value == nullptr) return false;
         return std::holds_alternative<Numbers>(*value) ||
                std::holds_alternative<std::shared_ptr<Array>>(*value) ||

@@ -62,7 +62,7 @@ void Reader::read_statement() {
     }
     if (item.kind == TokenKind::word && !Names::is_reserved(item.name)) {
         const std::string_view name = name_of(item.name);
-        if (find_value(item.name) == nullptr && !povray_meaning(name).empty()) {
+        if (find_value(item) == nullptr && !povray_meaning(name).empty()) {
             take();
             skip_block();
             return builder_.report(missing(item, name));

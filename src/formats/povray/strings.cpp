@@ -33,7 +33,7 @@ bool ValueParser::begins_string(const Token& token) {
             break;
     }
     if (Names::is_reserved(token.name)) return false;
-    const Value* value = find_value(token.name);
+    const Value* value = find_value(token);
     return value != nullptr && std::holds_alternative<String>(*value);
 }
 
@@ -42,9 +42,7 @@ String ValueParser::string() {
     static const String empty = std::make_shared<const CountedString>();
     const Token token = peek();
     if (!begins_string(token)) {
-        const Value* value = token.kind == TokenKind::word && !Names::is_reserved(token.name)
-                                 ? find_value(token.name)
-                                 : nullptr;
+        const Value* value = find_value(token);
         if (value != nullptr && std::holds_alternative<std::shared_ptr<Array>>(*value)) {
             Value array = *value;
             const Value element = read_element(take(), std::move(array));
@@ -60,7 +58,7 @@ String ValueParser::string() {
         return text.size() > k_max_string ? empty : make_counted<const CountedString>(string_value(text));
     }
     if (!Names::is_reserved(token.name)) {
-        return std::get<String>(*find_value(token.name));
+        return std::get<String>(*find_value(token));
     }
     const Deeper deeper(*this);
     if (!deeper.ok || !expect('(')) return empty;

@@ -23,7 +23,7 @@ void TextureParser::read_pigment(Pigment& pigment) {
             continue;
         }
         if (item.kind == TokenKind::word && !Names::is_reserved(item.name)) {
-            if (const Value* value = find_value(item.name)) {
+            if (const Value* value = find_value(item)) {
                 const auto* array = std::get_if<std::shared_ptr<Array>>(value);
                 const Value& kind =
                     array && !(*array)->elements.empty() ? (*array)->elements.front() : *value;
@@ -81,8 +81,7 @@ void TextureParser::read_texture_items(Texture& texture) {
             skip_block();
             texture.missing.add(missing(item, "normal"));
         } else {
-            const bool is_name =
-                item.kind == TokenKind::word && !Names::is_reserved(item.name) && find_value(item.name);
+            const bool is_name = find_value(item) != nullptr;
             if (const auto held = named<Texture>(item)) {
                 texture = *held;
             } else if (const auto pigment = named<Pigment>(item)) {

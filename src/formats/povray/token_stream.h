@@ -114,8 +114,9 @@ class TokenStream {
 
     std::string_view name_of(std::uint32_t number) const { return names_.name(number); }
     std::uint32_t number_of(std::string_view name);
-    /// What a name stands for here; null if that is nothing. Until the next token.
-    const Value* find_value(std::uint32_t name);
+    /// What a token stands for here; null if it is no identifier, or one without a value. Until the next
+    /// token.
+    const Value* find_value(const Token& token);
     /// An error if macros and includes are too deep within each other.
     bool can_call(const Token& name);
     /// Reads the tokens of a function next, with these values of its parameters.

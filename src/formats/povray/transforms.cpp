@@ -70,7 +70,7 @@ Affine TextureParser::read_transform_block() {
     std::optional<Affine> map;
     const auto read_identifier = [&] {
         const Token name = peek();
-        const Value* value = name.kind == TokenKind::word ? find_value(name.name) : nullptr;
+        const Value* value = find_value(name);
         const auto* held = value ? std::get_if<std::shared_ptr<const Affine>>(value) : nullptr;
         if (held == nullptr) return false;
         map = map ? compose(**held, *map) : **held;

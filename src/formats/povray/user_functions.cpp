@@ -110,7 +110,7 @@ bool ValueParser::take_part(Token& token, const Function& function, const std::v
         return true;
     }
     if (Names::is_reserved(token.name)) return name == k_none && begins_number(token);
-    const Value* value = find_value(token.name);
+    const Value* value = find_value(token);
     if (value == nullptr) return false;
     if (std::holds_alternative<std::shared_ptr<const Function>>(*value)) return true;
     const auto* numbers = std::get_if<Numbers>(value);

@@ -48,7 +48,7 @@ Value ValueParser::value() {
 
 // A copy of what the identifier stands for, or an expression that begins with it.
 Value ValueParser::identifier_value(const Token& name) {
-    const Value* value = find_value(name.name);
+    const Value* value = find_value(name);
     if (value == nullptr) {
         Value other = other_value(name);
         if (!failed() && std::holds_alternative<std::monostate>(other)) {
@@ -79,7 +79,7 @@ Value ValueParser::identifier_value(const Token& name) {
 // The value of an identifier that has been read, also of an element of an array.
 Value ValueParser::named_value(const Token& name) {
     if (name.kind != TokenKind::word || Names::is_reserved(name.name)) return {};
-    const Value* value = find_value(name.name);
+    const Value* value = find_value(name);
     if (value == nullptr) return {};
     Value whole = *value;
     if (!std::holds_alternative<std::shared_ptr<Array>>(whole) || !peek().is('[')) return whole;
@@ -95,7 +95,7 @@ bool ValueParser::read_defined() {
     }
     bool is_defined = Names::is_reserved(name.name);
     if (!is_defined) {
-        const Value* found = find_value(name.name);
+        const Value* found = find_value(name);
         Value value = found != nullptr ? *found : Value();
         if (found != nullptr && peek().is('[')) value = read_element(name, std::move(value));
         is_defined = !failed() && !std::holds_alternative<std::monostate>(value);
