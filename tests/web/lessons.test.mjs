@@ -2,23 +2,13 @@
 // The checks of the lessons' steps, by the engine without a browser: each step is done by its solution and by other right ways, and not
 // before nor by near misses, for which the page says what is missing.
 import assert from 'node:assert/strict';
-import {readFileSync} from 'node:fs';
-import {createRequire} from 'node:module';
 import {test} from 'node:test';
-import {fileURLToPath, pathToFileURL} from 'node:url';
 
 import {ways} from './lesson_ways.mjs';
+import {load, pageModule} from './page_module.mjs';
 
-const project = fileURLToPath(new URL('../..', import.meta.url));
-const {transformWithEsbuild} = await import(pathToFileURL(createRequire(`${project}web/package.json`).resolve('vite')).href.replace(/index\.cjs$/, 'dist/node/index.js'));
-const {load} = await import(`${project}build/wasm/glint-wasm/glint.mjs`);
 const glint = await load();
 
-/** A module of the page. */
-async function pageModule(name) {
-    const {code} = await transformWithEsbuild(readFileSync(`${project}web/src/${name}`, 'utf8'), name);
-    return import(`data:text/javascript,${encodeURIComponent(code)}`);
-}
 const {examine} = await pageModule('learn/checks.ts'), {solutionOf} = await pageModule('learn/solution.ts');
 const {lessons} = await pageModule('lessons/lessons.ts');
 
