@@ -25,11 +25,20 @@ std::string folder_of(const std::string& path) {
 
 std::string reason_of(int error) { return error == ENOENT ? "no such file" : std::strerror(error); }
 
+constexpr int k_max_links = 40;  // as the system has
+
 // With links followed; empty if that is not possible.
 fs::path followed_path(const std::string& path) {
     std::error_code error;
-    const fs::path whole = fs::absolute(path.empty() ? "." : path, error);
+    fs::path whole = fs::absolute(path.empty() ? "." : path, error);
     if (error) return {};
+    // weakly_canonical() keeps the name of a link to nothing, which a writer follows.
+    for (int links = 0; fs::is_symlink(fs::symlink_status(whole, error)); ++links) {
+        const fs::path to = fs::read_symlink(whole, error);
+        if (error || links == k_max_links) return {};
+        whole = whole.parent_path() / to;
+    }
+    error.clear();
     const fs::path canonical = fs::weakly_canonical(whole, error);
     return error ? fs::path() : canonical;
 }

@@ -158,6 +158,13 @@ TEST_F(FilePolicy, AnIniWritesOnlyIntoItsFolderOrThisOne) {
     EXPECT_EQ(linked.code, 1);
     EXPECT_TRUE(contains(linked.err, "expected an output in this folder or the .ini file's")) << linked.err;
     EXPECT_EQ(other.read("victim"), "kept");
+    // A link to a file that does not exist yet; of the output's name, or of the picture beside the scene.
+    std::filesystem::create_symlink(other.path("planted.png"), folder_.path("work/g.png"));
+    std::filesystem::create_symlink("g.png", folder_.path("work/s.png"));
+    EXPECT_EQ(run_ini("work/g.png").code, 1);
+    folder_.write("work/beside.ini", "Input_File_Name=work/s.pov\nWidth=8\nHeight=8\n");
+    EXPECT_EQ(run(folder_, {"work/beside.ini"}, options).code, 1);
+    EXPECT_FALSE(other.has("planted.png"));
     // The user may write anywhere.
     const Finished told = run_ini("/etc/glint_test.png", {"+O" + other.path("a.png")});
     EXPECT_EQ(told.code, 0) << told.err;
