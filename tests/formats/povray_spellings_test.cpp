@@ -31,6 +31,25 @@ TEST(PovRaySpellings, AlbedoIsOfAllLightInPlaceOfTheBrightest) {
     EXPECT_NEAR(look("specular albedo .5 roughness .5").specular.r, 1.0 / 3, k_pov_near);
     EXPECT_NEAR(look("specular albedo .25 roughness .05").specular.r, 0.25 * 22 / (8 - 4.0 / 1024),
                 k_pov_near);
+    // A finish that is named has its numbers; the factor is that of its own block.
+    const std::string named = "#declare F = finish { brilliance 3 diffuse albedo .25 }\n";
+    const auto copied = [&](const std::string& change) {
+        return povray_scene(named + "sphere { 0, 1 " + k_red + " finish { F " + change + " } }")
+            .materials.at(0)
+            .diffuse.r;
+    };
+    EXPECT_EQ(copied(""), 0.5);
+    EXPECT_EQ(copied("diffuse .25"), 0.25);
+    EXPECT_EQ(copied("brilliance 1"), 0.5);
+}
+
+TEST(PovRaySpellings, OnlyAlbedoIsBeforeANumberOfAFinish) {
+    for (const char* word : {"Kd", "\"x\"", ";", "sphere"}) {
+        const Result<Scene> result =
+            read_povray("sphere { 0, 1 finish { diffuse " + std::string(word) + " 0.4 } }");
+        EXPECT_FALSE(result) << word;
+        EXPECT_NE(messages(result).find("expected a number"), std::string::npos) << messages(result);
+    }
 }
 
 TEST(PovRaySpellings, SrgbIsInTheNumbersOfAssumedGamma) {

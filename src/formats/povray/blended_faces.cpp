@@ -16,12 +16,10 @@ constexpr int k_max_parts = 32, k_max_fine_parts = 64, k_max_strips = 171;
 constexpr std::uint64_t k_few_shapes = 1'000'000;
 
 bool same_light(const Finish& a, const Finish& b) {
-    return a.ambient == b.ambient && a.emission == b.emission &&
-           a.brightest_diffuse() == b.brightest_diffuse() && a.brilliance == b.brilliance &&
-           a.brightest_phong() == b.brightest_phong() && a.phong_size == b.phong_size &&
-           a.brightest_specular() == b.brightest_specular() && a.roughness == b.roughness &&
-           a.metallic == b.metallic && a.reflection_max == b.reflection_max &&
-           a.reflection_min == b.reflection_min;
+    return a.ambient == b.ambient && a.emission == b.emission && a.diffuse == b.diffuse &&
+           a.brilliance == b.brilliance && a.phong == b.phong && a.phong_size == b.phong_size &&
+           a.specular == b.specular && a.roughness == b.roughness && a.metallic == b.metallic &&
+           a.reflection_max == b.reflection_max && a.reflection_min == b.reflection_min;
 }
 
 }  // namespace

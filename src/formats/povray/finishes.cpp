@@ -7,20 +7,34 @@
 
 namespace glint::povray {
 
-// The factors of `albedo` are measured: with them a white surface sends back that share of the light.
-double Finish::brightest_diffuse() const { return diffuse_albedo ? diffuse * (brilliance + 1) / 2 : diffuse; }
+namespace {
 
-double Finish::brightest_phong() const { return phong_albedo ? phong * (phong_size + 1) / 2 : phong; }
+// `albedo`: the number is of all the light that the surface sends back, not of its brightest place. The
+// factors are measured: with them a white surface sends back that share of the light.
+struct Albedos {
+    bool diffuse = false, phong = false, specular = false;
+    void apply(Finish& finish) const {
+        if (diffuse) finish.diffuse *= (finish.brilliance + 1) / 2;
+        if (phong) finish.phong *= (finish.phong_size + 1) / 2;
+        if (!specular || !(finish.roughness > 0)) return;
+        const double exponent = 1 / finish.roughness;
+        finish.specular *= (exponent + 2) / (4 * (2 - pow(2, -exponent / 2)));
+    }
+};
 
-double Finish::brightest_specular() const {
-    if (!specular_albedo || !(roughness > 0)) return specular;
-    const double exponent = 1 / roughness;
-    return specular * (exponent + 2) / (4 * (2 - pow(2, -exponent / 2)));
+}  // namespace
+
+// The word `albedo`, if it is next.
+bool TextureParser::accept_albedo() {
+    if (peek().kind != TokenKind::word || text_of(peek()) != "albedo") return false;
+    take();
+    return true;
 }
 
 void TextureParser::read_finish(Finish& finish) {
     const Deeper deeper(*this);
     if (!deeper.ok || !expect('{')) return;
+    Albedos albedos;
     while (!failed() && !accept('}')) {
         const Token item = take();
         switch (item.word()) {
@@ -31,7 +45,7 @@ void TextureParser::read_finish(Finish& finish) {
                 finish.emission = rgb_of(color(true));
                 break;
             case Word::k_diffuse:
-                if (!begins_number(peek())) finish.diffuse_albedo = take().kind == TokenKind::word;
+                albedos.diffuse = accept_albedo() || albedos.diffuse;
                 finish.diffuse = number();
                 finish.diffuse_back = accept(',') ? number() : 0;
                 break;
@@ -39,14 +53,14 @@ void TextureParser::read_finish(Finish& finish) {
                 finish.brilliance = number();
                 break;
             case Word::k_phong:
-                if (!begins_number(peek())) finish.phong_albedo = take().kind == TokenKind::word;
+                albedos.phong = accept_albedo() || albedos.phong;
                 finish.phong = number();
                 break;
             case Word::k_phong_size:
                 finish.phong_size = number();
                 break;
             case Word::k_specular:
-                if (!begins_number(peek())) finish.specular_albedo = take().kind == TokenKind::word;
+                albedos.specular = accept_albedo() || albedos.specular;
                 finish.specular = number();
                 break;
             case Word::k_roughness:
@@ -90,10 +104,12 @@ void TextureParser::read_finish(Finish& finish) {
                                                    describe(item), what_is(item)));
                 }
                 finish = *held;
+                albedos = {};
             }
         }
         accept(',');
     }
+    albedos.apply(finish);
 }
 
 // A color, or { [min,] max items }, after `reflection`.

@@ -36,10 +36,10 @@ std::uint32_t SceneBuilder::material_of(const Inherited& own, const Token& at) {
                                    f.ambient.r,
                                    f.ambient.g,
                                    f.ambient.b,
-                                   f.brightest_diffuse(),
-                                   f.brightest_phong(),
+                                   f.diffuse,
+                                   f.phong,
                                    f.phong_size,
-                                   f.brightest_specular(),
+                                   f.specular,
                                    f.roughness,
                                    f.emission.r,
                                    f.emission.g,
@@ -74,17 +74,17 @@ std::uint32_t SceneBuilder::material_of(const Inherited& own, const Token& at) {
     m.color = pigment;
     m.ambient = times(p, f.ambient);
     m.emission = times(p, f.emission);
-    m.diffuse = pigment * f.brightest_diffuse();
+    m.diffuse = pigment * f.diffuse;
     m.specular = {0, 0, 0};
     m.brilliance = std::max(f.brilliance, 0.0);
     m.metallic = std::clamp(f.metallic, 0.0, 1.0);
     if (f.specular > 0 && f.roughness > 0) {
-        m.specular = Color{1, 1, 1} * f.brightest_specular();
+        m.specular = Color{1, 1, 1} * f.specular;
         m.shininess = std::min(1 / f.roughness, 1e9);
     }
     // phong at or below 0 is no highlight.
     if (f.phong > 0) {
-        m.phong = Color{1, 1, 1} * f.brightest_phong();
+        m.phong = Color{1, 1, 1} * f.phong;
         m.phong_shininess = std::clamp(f.phong_size, 0.0, 1e9);
     }
     if (const double most = largest(f.reflection_max); most > 0) {

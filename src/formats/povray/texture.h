@@ -67,16 +67,8 @@ struct Finish {
     bool reflection_fresnel = false, conserve_energy = false;
     double crand = 0, diffuse_back = 0;
     bool has_no_refraction = false;  ///< `refraction 0`
-    /// `albedo`: the number before is of all the light that the surface sends back, not of its brightest
-    /// place.
-    bool diffuse_albedo = false, phong_albedo = false, specular_albedo = false;
     std::shared_ptr<const Opaque> interior{};  ///< of `ior` in a finish: an old place of it
     MissingList missing;
-
-    /// diffuse, phong and specular as factors of the brightest place.
-    double brightest_diffuse() const;
-    double brightest_phong() const;
-    double brightest_specular() const;
 };
 
 struct Texture {

@@ -37,6 +37,7 @@ class TextureParser : public ValueParser {
 
   private:
     void read_texture_items(Texture& texture);
+    bool accept_albedo();
     void read_reflection(Finish& finish);
     std::shared_ptr<const GradientPattern> read_gradient(std::optional<Affine> map);
     bool read_color_map(CountedVector<ColorMapEntry>& map);
