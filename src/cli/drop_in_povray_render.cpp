@@ -78,13 +78,16 @@ void PovrayOptions::check_output(const std::string& path) const {
 
 // The scene, with .pov or without, in this folder or one of +L. Without extension `input_` then has it.
 std::string PovrayOptions::find_input() {
-    std::error_code ignored;
+    const auto is_file = [](const std::string& path) {
+        std::error_code ignored;
+        return std::filesystem::exists(path, ignored) && !std::filesystem::is_directory(path, ignored);
+    };
     const bool is_bare = extension(input_).empty() && input_ != "-";
-    if (is_bare && !std::filesystem::exists(input_, ignored)) input_ += ".pov";
-    if (input_ == "-" || std::filesystem::exists(input_, ignored)) return input_;
+    if (is_bare && !is_file(input_)) input_ += ".pov";
+    if (input_ == "-" || is_file(input_)) return input_;
     for (const std::string& folder : folders_) {
         std::string path = (std::filesystem::path(folder) / input_).string();
-        if (std::filesystem::exists(path, ignored)) return path;
+        if (is_file(path)) return path;
     }
     return input_;
 }
