@@ -13,9 +13,9 @@
 namespace glint {
 namespace {
 
-// A plane cuts a shape if it is nearer to its centre than this part of its extent: a ball on a floor is not
-// cut.
-constexpr double k_inner_part = 0.99;
+// A plane cuts a shape if it is nearer to its centre than this part of its extent: one that only touches it,
+// as the floor below a ball, does not.
+constexpr double k_inner_part = 1 - 1e-6;
 
 bool contains(const Bounds& outer, const Bounds& inner) {
     return outer.min.x <= inner.min.x && outer.min.y <= inner.min.y && outer.min.z <= inner.min.z &&
