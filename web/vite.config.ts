@@ -23,7 +23,10 @@ addEventListener('fetch', (event) => {
         event.respondWith(caches.match(event.request, {ignoreSearch: true}).then(async (kept) => {
             if (kept) return kept;
             const found = await fetch(event.request);
-            if (found.ok && event.request.url.endsWith('.png')) await (await caches.open(cacheName)).put(event.request, found.clone());
+            if (found.ok && event.request.url.endsWith('.png')) {
+                const copy = found.clone();
+                caches.open(cacheName).then((cache) => cache.put(event.request, copy)).catch(() => {});  // there may be no room
+            }
             return found;
         }));
 });

@@ -69,6 +69,27 @@ test('addresses open what they name', () => withPage(async (page, context) => {
     }
     await page.locator('.brand a').click();
     await named(page, 'three_mirrors.cgfs');
+    // An address of nothing shows a scene, and says so.
+    const other = await context.newPage();
+    await other.goto(`${address}#scene=old_name.glint`);
+    await settled(other);
+    assert.match(await other.locator('.notice').innerText(), /no scene old_name\.glint/);
+    // One that is written in another way is put right, and does not trap Back.
+    await other.goto(`${address}#lesson=01_ambient/1`);
+    await named(other, 'ambient.glint');
+    assert.equal(await hash(other), '#lesson=01_ambient');
+    await other.goBack();
+    await other.waitForFunction(() => !location.hash.startsWith('#lesson'));
+    await other.close();
+}));
+
+test('another scene ends the lesson', () => withPage(async (page) => {
+    await page.locator('.welcome').getByRole('button', {name: 'A lesson'}).click();
+    await page.locator('.lesson').waitFor();
+    await choose(page, 'epfl/castle.json');
+    await page.getByRole('tab', {name: 'Learn'}).click();
+    await page.locator('.learn-list').first().waitFor();
+    assert.equal(await page.locator('.lesson').count(), 0);
 }));
 
 test('a link carries the pixel, the panel and the ray', () => withPage(async (page, context) => {

@@ -140,6 +140,14 @@ sphere "lid" { center = (0, 5, 0.5) radius = 2 }\n`});
     assert.match(captions[1], /\(R·V\)\^7/);
     assert.ok(captions[0].includes(angles[0]) && captions[1].includes(angles[2]), `${captions} ${angles}`);
     assert.equal(await page.locator('.plot .now').count(), 2);
+    // At an edge three of four samples see the ball, and the first does not.
+    await drop(page, {name: 'edge.glint', text: `render { size = 4 x 4  aa = 2  shading = phong }
+camera { projection = orthographic  width = 4  position = (0, 0, 9) look_at = (0, 0, 0) }
+light { type = ambient }
+box { min = (-0.9, -3, -1) max = (3, 0.4, 1)  color = (1, 0, 0) ambient = 1 }\n`});
+    await page.waitForFunction(() => document.querySelector('.file-name').textContent === 'edge.glint');
+    await settled(page);
+    await sentenceAt(0.375, 0.375, 'red ambient light; the pixel is the mean of 4 samples, which see different things; this is of the box on line 4\\.$');
 }));
 
 test('an area light, fog and the light from all directions are explained', () => withPage(async (page) => {

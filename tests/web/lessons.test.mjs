@@ -47,6 +47,11 @@ async function missing(step, {text, pixel}) {
     }
 }
 
+test('of nothing no value is said', async () => {
+    const {steps, scene} = lessons.find(({id}) => id === '02_diffuse');
+    assert.match(await missing(steps[2], {text: scene.text, pixel: [0.05, 0.05]}), /^There is no N·L at the clicked pixel here/);
+});
+
 for (const lesson of lessons) {
     test(`${lesson.id}: right ways and near misses`, async () => {
         assert.equal(ways[lesson.id].length, lesson.steps.length);

@@ -3,7 +3,7 @@ import {render} from 'preact';
 
 import {startPool} from './engine/start';
 import {embedded} from './store/embedded';
-import {type Entry, placeOf} from './store/address';
+import {type Entry, arrive, placeOf} from './store/address';
 import {addressChanged, followLessons, goToPlace, resume} from './store/learning';
 import {keepPage} from './store/memory';
 import {followOwnPicture} from './store/own';
@@ -18,7 +18,7 @@ try {
     services.pool = await startPool();
     connectViews(services.pool);
     const isOpen = await openFirst(), place = placeOf(location.hash);
-    if (place) await (isOpen ? resume(place) : goToPlace(place));
+    if (place) await arrive(() => (isOpen ? resume(place) : goToPlace(place)));
     if (!embedded) {
         keepPage();
         followLessons();

@@ -49,7 +49,7 @@ function ofPixel(explanation: Explanation | null, what: string): number | null {
     if (what === 'generations') return Math.max(...explanation.rays.map((ray) => ray.generation));
     if (what === 'lights') return hit?.lights.filter((light) => light.reason === 'adds').length ?? 0;
     if (what === 'blocked') return hit?.lights.filter((light) => light.reason === 'blocked').length ?? 0;
-    if (what === 'n_l') return Math.max(...(hit?.lights.map((light) => light.n_l ?? -1) ?? [-1]));
+    if (what === 'n_l') return hit && hit.lights.length > 0 ? Math.max(...hit.lights.map((light) => light.n_l ?? -1)) : null;
     const [owner, field, part] = what.split('.') as [string, string?, string?];
     const material = hit?.material as (ExplainedHit['material'] & Record<string, unknown>) | undefined;
     const value = owner === 'material' && field !== undefined ? material?.[field] : undefined;
@@ -130,8 +130,9 @@ export async function examine(check: string, situation: Situation): Promise<Verd
     if (found.some(({value}) => holds(value, sign, limit.value))) return {holds: true, missing: ''};
     if (words[0] === 'pinned' && !situation.pinned) return {holds: false, missing: 'Click a pixel of the picture.'};
     const {value, name} = found[0]!;
+    // Of nothing, a sentence with a value would be false.
+    if (value === null && (message === undefined || message.includes('{value}'))) return {holds: false, missing: `There is no ${name.replace(/^the /, '')} here: no surface is seen, or it has none.`};
     if (message !== undefined) return {holds: false, missing: message.replace('{value}', shown(value))};
-    if (value === null) return {holds: false, missing: `There is no ${name}.`};
     const wanted = `${signs[sign]}${shown(limit.value)}${limit.name && `, ${limit.name}`}`;
     return {holds: false, missing: `${name[0]!.toUpperCase()}${name.slice(1)} is ${shown(value)}; it has to be ${wanted}.`};
 }

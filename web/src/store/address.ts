@@ -29,13 +29,6 @@ export interface Entry {scene?: StoredScene}
 
 const largest = 500_000;  // characters of a scene; browsers limit what they keep
 
-/** Enters a place into the address; null: none. Going back then returns to the present scene. */
-export function setAddress(place: Place | null) {
-    const fragment = place ? fragmentOf(place) : '';
-    if (location.hash === fragment) return;
-    history.pushState(null, '', `${location.pathname}${location.search}${fragment}`);
-}
-
 let isArriving = false;
 
 /** Opens what the history's present entry stands for: nothing is entered into the history meanwhile. */
@@ -46,6 +39,15 @@ export async function arrive(open: () => Promise<void>) {
     } finally {
         isArriving = false;
     }
+}
+
+/** Enters a place into the address; null: none. Going back then returns to the present scene. */
+export function setAddress(place: Place | null) {
+    const fragment = place ? fragmentOf(place) : '';
+    if (location.hash === fragment) return;
+    const url = `${location.pathname}${location.search}${fragment}`;
+    if (isArriving) history.replaceState(history.state, '', url);
+    else history.pushState(null, '', url);
 }
 
 /** Keeps the present scene in the history's entry, before another one is opened. */

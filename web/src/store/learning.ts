@@ -9,9 +9,9 @@ import {solutionOf} from '../learn/solution';
 import type {Challenge, Lesson} from '../learn/types';
 import {type Entry, type Place, arrive, galleryName, keepForBack, placeOf, setAddress} from './address';
 import {forgetHints} from './hints';
-import {openBookScene, openLink, openScene, presentRequest} from './scene';
+import {openBookScene, openLink, openScene, presentRequest, resumeChallenge} from './scene';
 import {
-    documentId, givenChallenge, info, isFirstVisit, notice, overrides, pinned, services, shownId, size, state, tab, text,
+    documentId, fileName, givenChallenge, includes, info, isFirstVisit, notice, overrides, pinned, services, shownId, size, state, tab, text,
 } from './state';
 
 /** Loaded when they are first needed. */
@@ -86,6 +86,7 @@ export const addressChanged = (entry: Entry | null) => arrive(async () => {
         openScene(entry.scene);
         end();
         if (place) await resume(place);
+        else if (hash !== '') await resumeChallenge(hash);
     } else if (place) {
         await goToPlace(place);
     } else if (hash !== '') {
@@ -103,8 +104,12 @@ export async function goToPlace(place: Place) {
     } else if (place.what === 'scene') {
         const scene = gallery.find((one) => galleryName(one) === place.name);
         end();
-        if (scene) openScene(scene);
-        else notice.value = `There is no scene ${place.name}.`;
+        if (scene) {
+            openScene(scene);
+        } else {
+            if (fileName.value === '') openBookScene();
+            notice.value = `There is no scene ${place.name}.`;
+        }
     } else if (lesson.value?.id === place.id && lesson.value.steps[place.step]) {
         goToStep(place.step);
     } else {
@@ -171,7 +176,7 @@ export function leave() {
 
 /** The request that opens a challenge's target. */
 export const targetRequest = (of: NonNullable<typeof challenge.value>): OpenRequest =>
-    ({texts: [{name: of.name, text: of.target}], settings: of.overrides ?? {}});
+    ({texts: [{name: of.name, text: of.target}], includes: includes.value, settings: of.overrides ?? {}});
 
 /** The numbers of the lines that may not be changed and are. */
 export function forbiddenLines(of: Challenge, now: string): number[] {
@@ -263,8 +268,13 @@ export function followLessons() {
         if (challenge.value) void checkChallenge();
     });
     effect(() => {
-        void text.value;  // hints are about one picture
+        void [text.value, overrides.value];  // hints are about one picture
         forgetHints();
+    });
+    effect(() => {
+        // Another scene has been opened.
+        const name = fileName.value, scenes = lesson.value ? [lesson.value.scene, ...lesson.value.steps.map((one) => one.scene)] : challenge.value ? [challenge.value] : null;
+        if (scenes && !scenes.some((one) => one?.name === name)) end();
     });
     effect(() => {
         const given = givenChallenge.value;

@@ -120,6 +120,7 @@ export function openScene(scene: StoredScene, fresh = false) {
         return;
     }
     take(documentState);
+    forgetLights();
     text.value = scene.text;
     page.editor?.begin(scene.text, scene.name);
     render();
@@ -144,6 +145,7 @@ export async function openFirst(): Promise<boolean> {
         tab.value = kept.tab;
         openScene(kept);
         if (kept.pixel) pinLater(kept.pixel, kept.step ?? null);
+        if (hash !== '') await resumeChallenge(hash);
         return true;
     }
     if (kept) remember(kept);
@@ -155,6 +157,12 @@ export async function openFirst(): Promise<boolean> {
         await openLink(hash);
     }
     return true;
+}
+
+/** The challenge of a link is open again, beside the scene as it was. */
+export async function resumeChallenge(hash: string) {
+    const shared = await fromFragment(hash);
+    if (typeof shared === 'object' && shared?.challenge) givenChallenge.value = {...shared.challenge, name: shared.name, start: shared.text};
 }
 
 /** The address was changed to another link. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The open challenge: its target, the difference from it, hints; and the form for a challenge of one's own.
-import {useSignal} from '@preact/signals';
+import {signal, useSignal} from '@preact/signals';
 import {useEffect, useRef} from 'preact/hooks';
 
 import {View} from '../engine/view';
@@ -10,17 +10,23 @@ import {
 } from '../store/learning';
 import {pin} from '../store/pixels';
 import {link, openScene} from '../store/scene';
-import {notice, overrides, services, text} from '../store/state';
+import {notice, overrides, services, state, text} from '../store/state';
 import {differencesOf} from './differences';
 import {TextField} from './fields';
 import {canvases, painter, pixelsOf} from './pictures';
 
+/** The target of the open challenge is drawn. */
+const isTargetDrawn = signal(false);
+
 function Target({canvas}: {canvas: {current: HTMLCanvasElement | null}}) {
     const wanted = challenge.value!;
     useEffect(() => {
+        isTargetDrawn.value = false;
+        delete canvas.current!.dataset['complete'];
         const view = new View(services.pool!, 'target', {
             ...painter(canvas.current!), opened: () => {}, progress: () => {}, failed: () => {},
             done: () => {
+                isTargetDrawn.value = true;
                 if (canvas.current) canvas.current.dataset['complete'] = 'true';
             },
         });
@@ -32,21 +38,33 @@ function Target({canvas}: {canvas: {current: HTMLCanvasElement | null}}) {
 
 const cell = 12;  // pixels; a difference of this size is no edge
 
-/** A pixel where the pictures differ, not only at an edge: the one in the middle of the cell that differs most. */
+/** A pixel where the pictures differ, not only at an edge: that of the cell that differs most. */
 function differingPixel(a: ImageData, b: ImageData): [number, number] {
     const width = Math.min(a.width, b.width), height = Math.min(a.height, b.height);
+    const apart = (x: number, y: number) => {
+        let sum = 0;
+        for (let c = 0; c < 3; ++c) sum += Math.abs(a.data[4 * (y * a.width + x) + c]! - b.data[4 * (y * b.width + x) + c]!);
+        return sum;
+    };
     let most = -1, at: [number, number] = [0, 0];
     for (let top = 0; top < height; top += cell) {
         for (let left = 0; left < width; left += cell) {
             const right = Math.min(left + cell, width), bottom = Math.min(top + cell, height);
-            let sum = 0;
+            let sum = 0, largest = -1, place: [number, number] = [left, top];
             for (let y = top; y < bottom; ++y) {
-                for (let i = 4 * left; i < 4 * right; ++i) sum += Math.abs(a.data[4 * y * a.width + i]! - b.data[4 * y * b.width + i]!);
+                for (let x = left; x < right; ++x) {
+                    const here = apart(x, y);
+                    sum += here;
+                    if (here > largest) {
+                        largest = here;
+                        place = [x, y];
+                    }
+                }
             }
             sum /= (right - left) * (bottom - top);
             if (sum <= most) continue;
             most = sum;
-            at = [Math.floor((left + right) / 2), Math.floor((top + bottom) / 2)];
+            at = place;
         }
     }
     return at;
@@ -78,7 +96,7 @@ function Hints({canvas}: {canvas: {current: HTMLCanvasElement | null}}) {
     return (
         <>
             <div class="presets">
-                <button class="button" disabled={isSearching.value || isLast || verdict.value?.isDone === true} onClick={ask}>
+                <button class="button" disabled={isSearching.value || isLast || !isTargetDrawn.value || state.value !== 'done' || verdict.value?.isDone === true} onClick={ask}>
                     {isSearching.value ? 'Searching…' : given ? 'Another hint' : 'Give me a hint'}
                 </button>
                 <button class="button" onClick={() => openScene({name: now.name, text: now.start})}>Begin again</button>

@@ -4,10 +4,7 @@ import {useSignal} from '@preact/signals';
 import {useRef} from 'preact/hooks';
 
 import type {Topic} from '../learn/types';
-import {format, tab} from '../store/state';
-
-/** The topic of the present scene's format is the first after the guide. */
-const formatTopic: Record<string, string> = {'.glint': 'glint', '.cgfs': 'cgfs', '.json': 'epfl', '.js': 'epfl', '.pov': 'povray', '.nff': 'nff', '.dat': 'tachyon'};
+import {info, tab} from '../store/state';
 
 export function Help() {
     const dialog = useRef<HTMLDialogElement>(null), text = useRef<HTMLDivElement>(null);
@@ -20,7 +17,8 @@ export function Help() {
         now.value = id;
         text.current?.scrollTo(0, 0);
     };
-    const own = formatTopic[format.value?.name ?? ''];
+    // A scene's profile is that of its format; others are .glint's.
+    const own = topics.value.find(({id}) => id === info.value?.profile)?.id ?? 'glint';
     const topic = topics.value.find(({id}) => id === now.value);
     return (
         <>

@@ -3,15 +3,16 @@
 import type {Comparison} from 'glint-wasm';
 import type {ComponentChildren} from 'preact';
 
-import {answer, closePicture, fits, isSearching} from '../store/own';
+import {answer, closePicture, fits, isSearching, sceneSize} from '../store/own';
 import {setSetting} from '../store/settings';
-import {ownPicture, size} from '../store/state';
+import {ownPicture} from '../store/state';
 import {FileButton} from './fields';
 
 function Figures({found}: {found: Comparison}) {
     const {pixels, equal, within, mean, largest} = found;
     if (equal === pixels) return <p>All pixels are equal.</p>;
-    const percent = (count: number) => `${((100 * count) / pixels).toFixed(count === pixels ? 0 : 2)}%`;
+    // Rounded down: 100% are all.
+    const percent = (count: number) => `${Math.floor((10_000 * count) / pixels) / 100}%`;
     return (
         <p>
             {percent(equal)} of the pixels are equal, {percent(within)} within 2 of 255. They differ by {mean.toFixed(2)} of 255 on average,
@@ -63,7 +64,7 @@ export function Own({view}: {view: ComponentChildren}) {
                 </>
             ) : (
                 <>
-                    <p class="message error" role="alert">Your picture has {width} × {height} pixels, and the scene’s has {size.value.width} × {size.value.height}: pictures of one size are compared.</p>
+                    <p class="message error" role="alert">Your picture has {width} × {height} pixels, and the scene’s has {sceneSize().width} × {sceneSize().height}: pictures of one size are compared.</p>
                     <div><button class="button" onClick={() => setSetting('size', `${width}x${height}`)}>Render at {width} × {height}</button></div>
                 </>
             )}

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What tells two explanations of one pixel apart, from the general to the particular.
-import type {Explanation, ExplainedHit, LightTerms} from 'glint-wasm';
+import type {Explanation, ExplainedHit, LightTerms, Vec3} from 'glint-wasm';
 
 import {sentence} from './sentence';
-import {itemName, layerNames, lightName, reasons, short, shortColor} from './words';
+import {firstHit, itemName, layerNames, lightName, reasons, short, shortColor} from './words';
 
 /** The layer whose light differs most. */
 function layerHint(own: Explanation, target: Explanation): string[] {
@@ -13,8 +13,18 @@ function layerHint(own: Explanation, target: Explanation): string[] {
     return [`The part that differs most is ${most}: ${shortColor(own.layers[most])} in your picture, ${shortColor(target.layers[most])} in the target.`];
 }
 
-function lightHints(own: LightTerms[], target: LightTerms[]): string[] {
-    if (own.length !== target.length) return [`Your scene has ${own.length} lights besides ambient ones, and the target’s has ${target.length}.`];
+/** The lights of a hit: of an area light's samples, the first that adds light, or the first. */
+function lightsOf(terms: readonly LightTerms[]): LightTerms[] {
+    const lights = new Map<number, LightTerms>();
+    for (const one of terms) {
+        const before = lights.get(one.light.index ?? -1);
+        if (!before || (before.reason !== 'adds' && one.reason === 'adds')) lights.set(one.light.index ?? -1, one);
+    }
+    return [...lights.values()];
+}
+
+function lightHints(own: LightTerms[], target: LightTerms[], isSamePoint: boolean): string[] {
+    if (own.length !== target.length) return [`The number of lights besides ambient ones is ${own.length} in your scene and ${target.length} in the target’s.`];
     return own.flatMap((terms, i) => {
         const other = target[i]!, name = lightName(terms.light);
         if (terms.reason !== other.reason) {
@@ -22,7 +32,7 @@ function lightHints(own: LightTerms[], target: LightTerms[]): string[] {
             return [`In your picture the light ${name} ${reasons[terms.reason]}${blocker}; in the target it ${reasons[other.reason]}.`];
         }
         if (shortColor(terms.light.color) !== shortColor(other.light.color)) return [`The light ${name} has another color or intensity in the target.`];
-        if (terms.to_light.some((value, c) => Math.abs(value - other.to_light[c]!) > 1e-3)) return [`The light ${name} comes from another direction in the target.`];
+        if (isSamePoint && terms.to_light.some((value, c) => Math.abs(value - other.to_light[c]!) > 1e-3)) return [`The light ${name} comes from another direction in the target.`];
         return [];
     });
 }
@@ -40,12 +50,16 @@ export function differencesOf(own: Explanation, target: Explanation): string[] {
     const hints = [`Your picture here: ${sentence(own)}`];
     if (sentence(target) !== sentence(own)) hints.push(`The target here: ${sentence(target)}`);
     hints.push(...layerHint(own, target));
-    const hit = own.rays[0]?.hit, wanted = target.rays[0]?.hit;
+    const hit = firstHit(own), wanted = firstHit(target);
     if (!hit || !wanted) return hints;
-    if (hit.shape.kind !== wanted.shape.kind || hit.shape.name !== wanted.shape.name) return hints;
-    const moved = Math.max(...hit.point.map((value, c) => Math.abs(value - wanted.point[c]!)));
+    const apart = (a: Vec3, b: Vec3) => Math.max(...a.map((value, c) => Math.abs(value - b[c]!)));
+    if (apart(own.rays[0]!.direction, target.rays[0]!.direction) > 1e-9 || apart(own.rays[0]!.origin, target.rays[0]!.origin) > 1e-9)
+        return [...hints, 'The camera sees this pixel from elsewhere, or in another direction, than in the target.'];
+    if (hit.shape.index !== wanted.shape.index || hit.shape.kind !== wanted.shape.kind)
+        return [...hints, `Another object is seen here: ${itemName(hit.shape)} in your picture, and a ${wanted.shape.kind.replace('_', ' ')}${wanted.shape.name ? ` “${wanted.shape.name}”` : ''} in the target.`];
+    const moved = apart(hit.point, wanted.point);
     if (moved > 1e-6) hints.push(`The ${itemName(hit.shape)} is elsewhere, or of another size, in the target: its point here is ${short(moved)} away.`);
-    hints.push(...materialHints(hit, wanted), ...lightHints(hit.lights, wanted.lights));
+    hints.push(...materialHints(hit, wanted), ...lightHints(lightsOf(hit.lights), lightsOf(wanted.lights), moved <= 1e-6));
     if (own.rays.length !== target.rays.length) hints.push(`This pixel has ${own.rays.length} rays in your picture and ${target.rays.length} in the target: mirrors and glass, or the setting reflections.`);
     return hints;
 }

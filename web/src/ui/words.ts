@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Texts for explanations.
-import type {ExplainedRay, LightTerms, NamedItem, Vec3} from 'glint-wasm';
+import type {ExplainedHit, ExplainedRay, Explanation, LightTerms, NamedItem, Vec3} from 'glint-wasm';
 
 export const hex = (bytes: Vec3) => `rgb(${bytes.join(' ')})`;
 
@@ -15,6 +15,9 @@ export function itemName(item: NamedItem & {kind?: string}): string {
 export function lightName(light: LightTerms['light']): string {
     return light.name ? `“${light.name}”` : itemName({...light, kind: `${light.kind} light`});
 }
+
+/** What the first of a pixel's samples that hits something has hit. */
+export const firstHit = ({rays}: Explanation): ExplainedHit | undefined => rays.find(({parent, hit}) => parent === null && hit)?.hit;
 
 /** A number with four digits. */
 export function short(value: number | null | undefined): string {
