@@ -82,14 +82,16 @@ std::string PovrayOptions::find_input() {
         std::error_code ignored;
         return std::filesystem::exists(path, ignored) && !std::filesystem::is_directory(path, ignored);
     };
-    const bool is_bare = extension(input_).empty() && input_ != "-";
-    if (is_bare && !is_file(input_)) input_ += ".pov";
+    const std::string given = input_;
+    const bool is_bare = extension(given).empty() && given != "-";
+    if (is_bare && !is_file(given)) input_ += ".pov";
     if (input_ == "-" || is_file(input_)) return input_;
     for (const std::string& folder : folders_) {
         std::string path = (std::filesystem::path(folder) / input_).string();
         if (is_file(path)) return path;
     }
-    return input_;
+    std::error_code ignored;
+    return std::filesystem::is_directory(given, ignored) ? given : input_;  // for the message
 }
 
 // The names are POV-Ray's (measured): the ending of the file's type is added unless the name has it;
