@@ -13,7 +13,7 @@ import {sentence} from './sentence';
 import {SpaceInPanel} from './Space';
 import {Stepper} from './Stepper';
 import {hitTerms, lightTerms} from './terms';
-import {css, hex, highlights, isBlack, itemName, layerNames, lightName, rayNames, reasons, short, shortColor, shortVector} from './words';
+import {byLight, css, hex, highlights, isBlack, itemName, layerNames, lightName, rayNames, reasons, short, shortColor, shortVector} from './words';
 
 /** How the sum becomes the bytes. */
 function byteWords({transfer, gamma}: Explanation): string {
@@ -115,17 +115,6 @@ const branchWords: Record<string, string> = {
 
 /** An area light may have thousands of samples. */
 const mostSamples = 64;
-
-/** The indices of the terms, those of one area light's samples together. */
-function byLight(lights: LightTerms[]): number[][] {
-    const groups: number[][] = [];
-    for (const [i, terms] of lights.entries()) {
-        const last = groups.at(-1);
-        if (last && terms.sample !== undefined && lights[last[0]!]!.light.index === terms.light.index) last.push(i);
-        else groups.push([i]);
-    }
-    return groups;
-}
 
 /** The samples of an area light, each of which is a light. */
 function Samples({members, hit, ray}: {members: number[]; hit: ExplainedHit; ray: number}) {

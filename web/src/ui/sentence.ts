@@ -3,7 +3,7 @@
 import type {Explanation, ExplainedHit, ExplainedRay, LightTerms, Vec3} from 'glint-wasm';
 
 import {addedBy} from '../store/stepping';
-import {firstHit, itemName, layerNames, lightName} from './words';
+import {byLight, firstHit, itemName, layerNames, lightName} from './words';
 
 const hues = ['red', 'orange', 'yellow', 'green', 'green', 'green', 'cyan', 'blue', 'blue', 'violet', 'magenta', 'red'];
 
@@ -60,16 +60,6 @@ function isEdge({rays}: Explanation): boolean {
     return seen.size > 1;
 }
 
-/** The terms of each light; those of an area light's samples together. */
-function lightGroups(lights: readonly LightTerms[]): LightTerms[][] {
-    const groups = new Map<unknown, LightTerms[]>();
-    for (const [i, terms] of lights.entries()) {
-        const key = terms.sample === undefined ? `light ${i}` : terms.light.index;
-        groups.set(key, [...(groups.get(key) ?? []), terms]);
-    }
-    return [...groups.values()];
-}
-
 const fates: Partial<Record<LightTerms['reason'], string>> = {
     faint: 'is too faint to count', outside_cone: 'shines past the point', back_of_light: 'faces away from the point', behind: 'is behind the surface',
     faded: 'is too far to add anything', in_surface: 'is at the very point', no_color: 'has no color that this surface reflects',
@@ -122,7 +112,7 @@ export function sentence(explanation: Explanation): string {
         const tooBright = clamped(explanation);
         if (tooBright) parts.push(tooBright);
     }
-    for (const group of lightGroups(hit.lights)) parts.push(...fateOf(group));
+    for (const members of byLight(hit.lights)) parts.push(...fateOf(members.map((i) => hit.lights[i]!)));
     if (isEdge(explanation)) parts.push(`the pixel is the mean of ${explanation.samples ** 2} samples, which see different things; this is of ${phrase(itemName(hit.shape))}`);
     const text = parts.join('; ');
     return `${text[0]!.toUpperCase()}${text.slice(1)}.`;

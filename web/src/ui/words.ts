@@ -19,6 +19,17 @@ export function lightName(light: LightTerms['light']): string {
 /** What the first of a pixel's samples that hits something has hit. */
 export const firstHit = ({rays}: Explanation): ExplainedHit | undefined => rays.find(({parent, hit}) => parent === null && hit)?.hit;
 
+/** The indices of the terms, those of one area light's samples together. */
+export function byLight(lights: readonly LightTerms[]): number[][] {
+    const groups: number[][] = [];
+    for (const [i, terms] of lights.entries()) {
+        const last = groups.at(-1);
+        if (last && terms.sample !== undefined && lights[last[0]!]!.light.index === terms.light.index) last.push(i);
+        else groups.push([i]);
+    }
+    return groups;
+}
+
 /** A number with four digits. */
 export function short(value: number | null | undefined): string {
     if (value === null || value === undefined) return '–';
