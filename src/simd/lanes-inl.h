@@ -238,6 +238,15 @@ template <class T> HWY_INLINE LaneMask<T> from_bits(std::uint32_t bits) {
     return {hn::LoadMaskBits(Tag<T>(), bytes)};
 }
 
+/// Sets to[i] = x for the bits i of `where`, i < lane_count<double>(). Rewrites the other numbers of the
+/// vector.
+HWY_INLINE void store_where(std::uint32_t where, std::uint32_t x, std::uint32_t* to) {
+    const IndexTag d;
+    const auto bits = static_cast<std::uint8_t>(where);
+    const std::uint8_t bytes[8] = {bits};
+    hn::StoreU(hn::IfThenElse(hn::LoadMaskBits(d, bytes), hn::Set(d, x), hn::LoadU(d, to)), d, to);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace glint
 HWY_AFTER_NAMESPACE();

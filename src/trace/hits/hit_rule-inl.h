@@ -131,14 +131,11 @@ struct ShapeTests {
             store(select(nearer, t, best), result.nearest.t + i);
             alignas(64) float t_max[lane_count<float>()] = {};
             store_narrow(t, t_max);
-            store(floats_above(load(t_max)), t_max);
             const std::uint32_t done = to_bits(nearer);
-            for (std::uint32_t b = done; b != 0; b &= b - 1) {
-                const int lane = __builtin_ctz(b);
-                result.nearest.slot[i + lane] = id.slot;
-                result.nearest.element[i + lane] = id.element;
-                slab_rays.t_max[i + lane] = t_max[lane];
-            }
+            store(select(from_bits<float>(done), floats_above(load(t_max)), load(slab_rays.t_max + i)),
+                  slab_rays.t_max + i);
+            store_where(done, id.slot, result.nearest.slot + i);
+            store_where(done, id.element, result.nearest.element + i);
             bits &= ~done;
             if (bits == 0) return;
         }

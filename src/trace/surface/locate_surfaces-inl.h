@@ -89,16 +89,19 @@ inline void locate_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
     const bool has_lighting_eye = world.camera.has_lighting_eye &&
                                   (surfaces.generation == 0 || world.fault == TracerFault::eye_everywhere);
     const bool by_winding = world.conventions.facing == Facing::winding;
+    const bool flips_by_shape = world.conventions.facing == Facing::open;
+    constexpr std::uint32_t all_lanes = (1u << lane_count<double>()) - 1;
+    const std::uint32_t flips_of_all = !flips_by_shape && flips_normal(world, {}) ? all_lanes : 0;
     for (int h = 0; h < count; h += lane_count<double>()) {
         const std::uint32_t* slots = surfaces.slot.data() + h;
         const bool same = all_same(slots);
         alignas(k_ray_alignment) double reach[lane_count<double>()];
-        std::uint32_t flips = 0;
+        std::uint32_t flips = flips_of_all;
         for (int k = 0; k < (same ? 1 : lane_count<double>()); ++k) {
             reach[k] = max_coordinate(*world.geometry, slots[k]);
-            flips |= static_cast<std::uint32_t>(flips_normal(world, surfaces.surface(h + k))) << k;
+            if (flips_by_shape) flips |= static_cast<std::uint32_t>(flips_normal(world, {slots[k], 0})) << k;
         }
-        if (same) flips = flips != 0 ? (1u << lane_count<double>()) - 1 : 0;
+        if (same && flips != 0) flips = all_lanes;
         const Vector3<Doubles> point = load_vector3(surfaces.point, h),
                                d = load_vector3(surfaces.incoming, h);
         const NormalLanes normals = normals_at(*world.geometry, slots, same, by_winding, point);
