@@ -137,6 +137,9 @@ struct Conventions {
     FogDistance fog_distance = FogDistance::ray;
     bool fog_background = true;  ///< the background is in the fog, at an infinite distance
     FogExtent fog_extent = FogExtent::everywhere;
+    /// The alpha of the background in a picture with alpha, 0 to 1. 0: the background is left out. Above 0:
+    /// it adds its color as it is, which has to be multiplied by this alpha (POV-Ray 3.7: 1 minus transmit).
+    double background_alpha = 0;
     // How the picture's numbers become those of a PNG or PPM file (ByteRule); OpenEXR is always linear.
     Transfer transfer = Transfer::none;
     double gamma = 1;  ///< > 0, at most 100

@@ -164,8 +164,9 @@ struct ExplainedRay {
     Color weight;
     std::optional<ExplainedHit> hit;
     Color background;  ///< the light that the ray adds to the pixel if it hits nothing
-    /// It hits nothing and shows the background directly or through glass: the mean of its weight is
-    /// subtracted from alpha. With RenderSettings::alpha, `background` is then black.
+    /// It hits nothing and shows the background directly or through glass: the mean of its weight times
+    /// 1 - Conventions::background_alpha is subtracted from alpha. With RenderSettings::alpha and a
+    /// background_alpha of 0, `background` is then black.
     bool transparent = false;
     double visibility = 1;  ///< in fog: f, of the hit or of the background; included in the hit's weight
     /// With FogExtent::outside_objects: the ray is inside an object that is not hollow, so that it has no

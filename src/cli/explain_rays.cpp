@@ -16,14 +16,14 @@ double largest(Color c) { return std::max({std::abs(c.r), std::abs(c.g), std::ab
 
 }  // namespace
 
-std::vector<Subtree> subtrees_of(const Explanation& e, bool has_alpha) {
+std::vector<Subtree> subtrees_of(const Explanation& e, double alpha_loss) {
     std::vector<Subtree> subtrees(e.rays.size());
     for (std::size_t i = e.rays.size(); i-- > 0;) {
         const ExplainedRay& ray = e.rays[i];
         const Color light = (ray.hit ? ray.hit->own_light() : ray.background) + ray.fog;
         subtrees[i].light = subtrees[i].light + light;
         subtrees[i].most += largest(light);
-        if (has_alpha && ray.transparent) subtrees[i].most += largest(ray.weight);  // what alpha loses
+        if (ray.transparent) subtrees[i].most += largest(ray.weight) * alpha_loss;
         if (ray.parent < 0 || static_cast<std::size_t>(ray.parent) >= i) continue;
         Subtree& parent = subtrees[static_cast<std::size_t>(ray.parent)];
         parent.light = parent.light + subtrees[i].light;

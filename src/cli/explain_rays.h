@@ -16,8 +16,9 @@ struct Subtree {
     int rays = 1;
 };
 
-/// By the numbers of the rays. has_alpha: what alpha loses counts, too.
-std::vector<Subtree> subtrees_of(const Explanation& explanation, bool has_alpha);
+/// By the numbers of the rays. alpha_loss: what alpha loses where a ray of weight 1 sees the background; it
+/// counts, too.
+std::vector<Subtree> subtrees_of(const Explanation& explanation, double alpha_loss);
 
 /// "mirror ray"
 std::string_view kind_of(const ExplainedRay& ray);

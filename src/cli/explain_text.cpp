@@ -64,7 +64,11 @@ double mean(Color c) { return (c.r + c.g + c.b) / 3; }
 class Tree {
   public:
     Tree(const Explanation& e, const Scene& scene, const ExplainStyle& style)
-        : e_(e), scene_(scene), style_(style), subtrees_(subtrees_of(e, scene.settings.alpha)) {}
+        : e_(e),
+          scene_(scene),
+          style_(style),
+          alpha_loss_(scene.settings.alpha ? 1 - scene.conventions.background_alpha : 0),
+          subtrees_(subtrees_of(e, alpha_loss_)) {}
 
     void add_ray(std::size_t ray, int depth) {
         const ExplainedRay& r = e_.rays[ray];
@@ -81,9 +85,11 @@ class Tree {
                                        scene_.settings.reflections));
             add_fog(r, depth + 1);
             const bool black = r.background.r == 0 && r.background.g == 0 && r.background.b == 0;
-            if (r.transparent && scene_.settings.alpha)
-                return text_.line(depth + 1,
-                                  fmt::format("hits nothing: alpha loses {}", number(mean(r.weight))));
+            if (r.transparent && alpha_loss_ > 0) {
+                text_.line(depth + 1,
+                           fmt::format("hits nothing: alpha loses {}", number(mean(r.weight) * alpha_loss_)));
+                if (black) return;
+            }
             text_.line(depth + 1, black ? "hits nothing: adds nothing"
                                         : fmt::format("hits nothing: adds the background {}{}",
                                                       color(r.background), swatch(style_, r.background)));
@@ -235,6 +241,7 @@ class Tree {
     const Explanation& e_;
     const Scene& scene_;
     const ExplainStyle& style_;
+    const double alpha_loss_;
     const std::vector<Subtree> subtrees_;
     Subtree folded_{{}, 0, 0};
     IndentedText text_;

@@ -156,8 +156,8 @@ inline constexpr ExplainedTerm<ExplainedRay> k_ray_terms[] = {
      terms::is_set<&ExplainedRay::inside_object>},
     {"background", &ExplainedRay::background, "what a ray without a hit adds", terms::hits_nothing},
     {"transparent", &ExplainedRay::transparent,
-     "the ray shows the background directly or through glass: the mean of its weight is subtracted from "
-     "alpha",
+     "the ray shows the background directly or through glass: the mean of its weight, times 1 - "
+     "`background_alpha`, is subtracted from alpha",
      terms::hits_nothing},
 };
 

@@ -321,6 +321,9 @@ constexpr Row k_rows[] = {
         "fog_extent",
         "where the fog is; outside_objects: not along rays that are inside an object that is not hollow",
         true),
+    number_row<&C::background_alpha, k_fraction>(
+        "background_alpha",
+        "the alpha of the background in a picture with alpha; 0: the background is left out of it"),
     word_row<&C::transfer, k_transfers>(
         "transfer", "the curve from numbers to bytes: none, or sRGB's; OpenEXR is always linear", true),
     number_row<&C::gamma, k_gamma>(

@@ -103,7 +103,7 @@ inline void record_rays(const WorldParts& world, const RayBatch& rays, const Hit
                 seen.background =
                     Vector3Elements(gradient_color(*world.gradient, rays, number) * Doubles(seen.visibility))
                         .color(0);
-            if (!(ray.transparent && world.settings.alpha)) ray.background = ray.weight * seen.background;
+            if (!ray.transparent || shows_background(world)) ray.background = ray.weight * seen.background;
             ray.visibility = seen.visibility;
             ray.fog = ray.weight * seen.fog;
         }

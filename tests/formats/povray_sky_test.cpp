@@ -65,5 +65,35 @@ TEST(PovRaySky, OtherPatternsAreNamed) {
     }
 }
 
+double alpha_of_background(const std::string& version, const std::string& text) {
+    return povray_scene("#version " + version + ";\nsphere { 0, 1 }\n" + text).conventions.background_alpha;
+}
+
+// Measured by tests/peers/alpha.py.
+TEST(PovRaySky, AnOpaqueBackgroundIsPartOfPicturesWithAlphaFromVersion37On) {
+    EXPECT_EQ(alpha_of_background("3.6", "background { rgb 1 }"), 0);
+    EXPECT_EQ(alpha_of_background("3.7", "background { rgb 1 }"), 1);
+    EXPECT_EQ(alpha_of_background("3.7", "background { rgbt <1, 1, 1, .25> }"), .75);
+    EXPECT_EQ(alpha_of_background("3.7", "background { rgbt 1 }"), 0);
+    EXPECT_EQ(alpha_of_background("3.7", ""), 0);
+    EXPECT_EQ(alpha_of_background("3.7", "sky_sphere { pigment { rgb 1 } }"), 1);
+    EXPECT_EQ(alpha_of_background("3.6", "sky_sphere { pigment { rgb 1 } }"), 0);
+}
+
+TEST(PovRaySky, ATransparentBackgroundInMirrorsIsNamed) {
+    const auto said = [](const std::string& finish, const std::string& color) {
+        return messages(
+            read_povray("#version 3.7;\nlight_source { 9, 1 }\nsphere { 0, 1 pigment { rgb 1 } finish { " +
+                        finish + " } }\nbackground { " + color + " }"));
+    };
+    EXPECT_NE(
+        said("reflection .5", "rgbt <1, 1, 1, .5>").find("4:1: warning: glint does not render `transmit`"),
+        std::string::npos)
+        << said("reflection .5", "rgbt <1, 1, 1, .5>");
+    EXPECT_EQ(said("ambient 0", "rgbt <1, 1, 1, .5>"), "");
+    EXPECT_EQ(said("reflection .5", "rgbt <0, 0, 0, 1>"), "") << "black without transmit, too";
+    EXPECT_EQ(said("reflection .5", "rgb 1"), "");
+}
+
 }  // namespace
 }  // namespace glint::test

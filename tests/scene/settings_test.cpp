@@ -15,7 +15,7 @@ std::string set(Scene& scene, std::string_view key, std::string_view value) {
 
 TEST(Settings, KeysAreFoundByName) {
     const auto keys = setting_keys();
-    ASSERT_EQ(keys.size(), 43u);
+    ASSERT_EQ(keys.size(), 44u);
     for (std::size_t i = 0; i < keys.size(); ++i) {
         EXPECT_EQ(find_setting(keys[i].name), i);
         EXPECT_FALSE(keys[i].values.empty());
@@ -69,6 +69,7 @@ TEST(Settings, EveryFieldHasAKey) {
                                                           {"fog_distance", "depth"},
                                                           {"fog_background", "false"},
                                                           {"fog_extent", "outside_objects"},
+                                                          {"background_alpha", "0.5"},
                                                           {"transfer", "srgb"},
                                                           {"gamma", "2.2"},
                                                           {"rounding", "down"},
@@ -118,6 +119,7 @@ TEST(Settings, EveryFieldHasAKey) {
                                FogDistance::depth,
                                false,
                                FogExtent::outside_objects,
+                               0.5,
                                Transfer::srgb,
                                2.2,
                                Rounding::down};

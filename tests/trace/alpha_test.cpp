@@ -72,6 +72,25 @@ TEST(Alpha, KnownValues) {
     EXPECT_TRUE(alpha.has_alpha);
 }
 
+// POV-Ray 3.7: an opaque background stays, one with transmit loses a part.
+TEST(Alpha, ABackgroundWithAlphaStays) {
+    Scene scene = panes();
+    const Rendering plain = rendering(scene, false), left_out = rendering(scene, true);
+    for (const double opacity : {1.0, 0.25}) {
+        scene.conventions.background_alpha = opacity;
+        const Rendering kept = rendering(scene, true);
+        EXPECT_EQ(kept.image.rgb, plain.image.rgb) << "the background has its color as it is";
+        for (std::size_t p = 0; p < of(kept, Layer::alpha).size(); ++p) {
+            const double lost = 1 - of(left_out, Layer::alpha)[p];
+            ASSERT_FLOAT_EQ(of(kept, Layer::alpha)[p], static_cast<float>(1 - lost * (1 - opacity))) << p;
+        }
+        // Adaptive sampling and tiles without hits follow the same rule.
+        scene.shapes.clear();
+        EXPECT_EQ(rendering(scene, true).image.rgb, rendering(scene, false).image.rgb);
+        scene = panes();
+    }
+}
+
 TEST(Alpha, BlackBehindGlassIsOpaque) {
     Scene scene = panes();
     scene.conventions.mirror_miss = MissRule::black;

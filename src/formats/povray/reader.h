@@ -36,6 +36,7 @@ class Reader final : public DirectiveParser {
     std::optional<CameraItems> camera_;
     Token gamma_place_;
     std::array<double, 5> background_{};
+    Token background_at_;
     Color ambient_light_{1, 1, 1};
 };
 

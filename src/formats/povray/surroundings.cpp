@@ -74,6 +74,7 @@ void Reader::read_background(const Token& at) {
     if (failed()) return;
     // The transmit of a background counts from version 3.7 on.
     background_ = c;
+    background_at_ = at;
     scene_.background_place = place_of(at);
     reading().background_given = true;
 }

@@ -55,6 +55,11 @@ HWY_INLINE LaneMask<double> see_through(const RayBatch& rays, int ray, LaneMask<
     return rays.generation == 0 ? missed : missed && load(rays.straight.data() + ray) > Doubles(0);
 }
 
+/// Whether pixels show the background where rays see it directly or through glass.
+HWY_INLINE bool shows_background(const WorldParts& world) {
+    return !world.settings.alpha || world.conventions.background_alpha > 0;
+}
+
 /// For alpha: adds the weights of rays that show the background; of a colored weight, the mean.
 inline void add_transparency(const RayBatch& rays, int ray, LaneMask<double> seen, double visibility,
                              Film& film) {
@@ -111,8 +116,9 @@ inline void add_misses(const WorldParts& world, const RayBatch& rays, const HitB
         auto opaque = missed;
         if (rays.alpha) {
             const auto transparent = see_through(rays, ray, missed);
-            add_transparency(rays, ray, transparent, seen.visibility, film);
-            if (world.settings.alpha) opaque = missed && !transparent;
+            add_transparency(rays, ray, transparent,
+                             seen.visibility * (1 - world.conventions.background_alpha), film);
+            if (!shows_background(world)) opaque = missed && !transparent;
         }
         const Vector3<Doubles> background =
             gradient ? gradient_color(*world.gradient, rays, ray) * Doubles(seen.visibility)
@@ -322,7 +328,7 @@ inline void fill_background(const WorldParts& world, const TileJob& job, int n) 
         g.add(film_value(sum.y));
         b.add(film_value(sum.z));
     };
-    if (!world.settings.alpha) add(seen.background);
+    if (shows_background(world)) add(seen.background);
     if (seen.visibility < 1) add(seen.fog);
     float rgb[3 * lane_count<double>()];
     store_interleaved(r, g, b, rgb);
