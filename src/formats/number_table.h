@@ -20,13 +20,14 @@ template <std::size_t n> class NumberTable {
     using Key = std::array<double, n>;
 
     /// Null: the key is not there. The result is valid until the next add().
-    const std::uint32_t* find(const Key& key) const {
+    const std::uint32_t* find(const Key& key) const { return const_cast<NumberTable*>(this)->find(key); }
+    std::uint32_t* find(const Key& key) {
         if (slots_.empty()) return nullptr;
         const std::uint32_t hash = hash_of(key);
         const Slot* group = &slots_[group_of(hash)];
         for (std::size_t i = 0; i < k_group && group[i].entry != 0; ++i) {
             if (group[i].hash != hash) continue;
-            const Entry& entry = at(group[i].entry - 1);
+            Entry& entry = at(group[i].entry - 1);
             if (!number::comes_before(key, entry.key) && !number::comes_before(entry.key, key))
                 return &entry.value;
         }
@@ -70,7 +71,7 @@ template <std::size_t n> class NumberTable {
         }
         return static_cast<std::uint32_t>(hash);
     }
-    const Entry& at(std::size_t entry) const { return blocks_[entry / k_block][entry % k_block]; }
+    Entry& at(std::size_t entry) { return blocks_[entry / k_block][entry % k_block]; }
     std::size_t group_of(std::uint32_t hash) const { return hash * k_group & (slots_.size() - 1); }
 
     /// False if the group is full.

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "formats/load_state.h"
-#include "math/number.h"
+#include "formats/number_table.h"
 
 namespace glint {
 
@@ -22,12 +22,7 @@ struct TachyonTexture {
     bool fades_at_angles = false;  ///< TransMode R3D
     Color color{1, 1, 1};
 
-    /// An order for maps.
-    bool operator<(const TachyonTexture& other) const {
-        return number::comes_before(numbers(), other.numbers());
-    }
-
-  private:
+    /// All fields, as a key.
     std::array<double, 13> numbers() const {
         return {ambient,
                 diffuse,
@@ -71,9 +66,9 @@ enum class TachyonLimit : std::uint8_t {
 /// Shared by the texts of one load().
 struct TachyonState {
     // A texture is an index into Scene::materials, which finish_tachyon() fills from `textures`.
-    // The maps are ordered: no choice of names or numbers makes them slow.
+    // No choice of names or numbers makes the tables slow.
     CountedMap<std::string, std::uint32_t> names;
-    CountedMap<TachyonTexture, std::uint32_t> materials;
+    NumberTable<13> materials;                                         ///< by TachyonTexture::numbers()
     CountedVector<std::pair<std::uint32_t, TachyonTexture>> textures;  ///< by material
 
     std::optional<TachyonCamera> camera;

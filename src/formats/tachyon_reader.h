@@ -63,6 +63,7 @@ class TachyonReader {
     bool texture_body(TachyonTexture& texture, bool has_vertex_colors);
     bool texture_function(const Token& word, double function);
     std::uint32_t material_of(const TachyonTexture& texture, const Token& place);
+    std::uint32_t add_material(const TachyonTexture& texture, const Token& place);
     bool read_definition();
     bool read_alias();
     bool keep_texture(const Token& at, std::string_view word);

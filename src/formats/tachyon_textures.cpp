@@ -71,14 +71,19 @@ bool TachyonReader::skip_texture() {
 }
 
 std::uint32_t TachyonReader::material_of(const TachyonTexture& texture, const Token& place) {
-    const auto [at, is_new] =
-        state_.materials.emplace(texture, static_cast<std::uint32_t>(scene_.materials.size()));
-    if (is_new) {
-        note(scene_.material_texts, scene_.materials.size(), source_place(text_, place));
-        scene_.materials.emplace_back();
-        state_.textures.emplace_back(at->second, texture);
-    }
-    return at->second;
+    const NumberTable<13>::Key key = texture.numbers();
+    if (const std::uint32_t* const known = state_.materials.find(key)) return *known;
+    const std::uint32_t material = add_material(texture, place);
+    state_.materials.add(key, material);
+    return material;
+}
+
+std::uint32_t TachyonReader::add_material(const TachyonTexture& texture, const Token& place) {
+    const auto material = static_cast<std::uint32_t>(scene_.materials.size());
+    note(scene_.material_texts, material, source_place(text_, place));
+    scene_.materials.emplace_back();
+    state_.textures.emplace_back(material, texture);
+    return material;
 }
 
 bool TachyonReader::texture_body(TachyonTexture& t, bool has_vertex_colors) {
@@ -144,9 +149,12 @@ bool TachyonReader::read_definition() {
     if (!texture_body(read, false)) return false;
     if (state_.names.contains(word)) return keep_texture(name, word);
     // Each name has a material of its own, that `glint convert` keeps.
-    const auto material = static_cast<std::uint32_t>(scene_.materials.size());
-    state_.materials.erase(read);
-    material_of(read, name);
+    const std::uint32_t material = add_material(read, name);
+    if (std::uint32_t* const known = state_.materials.find(read.numbers())) {
+        *known = material;
+    } else {
+        state_.materials.add(read.numbers(), material);
+    }
     const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
     if (std::none_of(word.begin(), word.end(), is_control))
         scene_.material_texts.names.emplace(material, word);
