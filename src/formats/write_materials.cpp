@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
-#include <set>
 
 #include "scene/material_color.h"
 #include "scene/material_fields.h"
@@ -35,13 +34,26 @@ bool same_bits(const Material& a, const Material& b) {
                        [&](const ItemField<Material>& field) { return same_bits(field, a, b); });
 }
 
-MaterialPlan::MaterialPlan(const Scene& scene) {
+MaterialPlan::MaterialPlan(const Scene& scene) : named_(scene.materials.size()) {
+    use_own_names(scene);
     merge_unnamed(scene);
-    std::vector<std::uint32_t> uses(scene.materials.size());
+    name_shared(scene);
+}
+
+// If several materials have the same name, the first one that is used by a shape keeps it.
+void MaterialPlan::use_own_names(const Scene& scene) {
+    std::vector<bool> is_used(scene.materials.size());
     for (const Shape& shape : scene.shapes) {
-        if (shape.material != k_none) ++uses[written_[shape.material]];
+        if (shape.material != k_none) is_used[shape.material] = true;
     }
-    choose_names(scene, uses);
+    for (const bool used : {true, false}) {
+        for (std::uint32_t i = 0; i < named_.size(); ++i) {
+            const auto own = scene.material_texts.name(i);
+            if (own.empty() || is_used[i] != used || !taken_.emplace(own).second) continue;
+            names_.emplace_back(own);
+            named_[i] = static_cast<std::uint32_t>(names_.size());
+        }
+    }
 }
 
 // Sorts, so that no choice of materials makes it slow.
@@ -50,7 +62,7 @@ void MaterialPlan::merge_unnamed(const Scene& scene) {
     written_.resize(scene.materials.size());
     for (std::uint32_t i = 0; i < written_.size(); ++i) {
         written_[i] = i;
-        if (scene.material_texts.name(i).empty()) unnamed.push_back(i);
+        if (named_[i] == 0) unnamed.push_back(i);
     }
     std::stable_sort(unnamed.begin(), unnamed.end(), [&](std::uint32_t a, std::uint32_t b) {
         return less_bits(scene.materials[a], scene.materials[b]);
@@ -61,20 +73,11 @@ void MaterialPlan::merge_unnamed(const Scene& scene) {
     }
 }
 
-// If several materials have the same name, the first one that is used by a shape keeps it.
-void MaterialPlan::choose_names(const Scene& scene, const std::vector<std::uint32_t>& uses) {
-    named_.resize(uses.size());
-    std::set<std::string, std::less<>> taken;
-    const auto set_name = [&](std::uint32_t i, std::string text) {
-        names_.push_back(std::move(text));
-        named_[i] = static_cast<std::uint32_t>(names_.size());
-    };
-    for (const bool used : {true, false}) {
-        for (std::uint32_t i = 0; i < uses.size(); ++i) {
-            const auto own = scene.material_texts.name(i);
-            if (own.empty() || (uses[i] > 0) != used) continue;
-            if (taken.emplace(own).second) set_name(i, std::string(own));
-        }
+// Materials without a name that several shapes have get one.
+void MaterialPlan::name_shared(const Scene& scene) {
+    std::vector<std::uint32_t> uses(scene.materials.size());
+    for (const Shape& shape : scene.shapes) {
+        if (shape.material != k_none) ++uses[written_[shape.material]];
     }
     std::size_t number = 0;
     for (std::uint32_t i = 0; i < uses.size(); ++i) {
@@ -82,8 +85,9 @@ void MaterialPlan::choose_names(const Scene& scene, const std::vector<std::uint3
         std::string text;
         do {
             text = fmt::format("material_{}", ++number);
-        } while (!taken.insert(text).second);
-        set_name(i, std::move(text));
+        } while (!taken_.insert(text).second);
+        names_.push_back(std::move(text));
+        named_[i] = static_cast<std::uint32_t>(names_.size());
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 // Materials in .glint: their names and keys.
 #include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,12 +25,14 @@ class MaterialPlan {
     std::string_view name(std::uint32_t material) const;
 
   private:
+    void use_own_names(const Scene& scene);
     void merge_unnamed(const Scene& scene);
-    void choose_names(const Scene& scene, const std::vector<std::uint32_t>& uses);
+    void name_shared(const Scene& scene);
 
     std::vector<std::uint32_t> written_;
     std::vector<std::uint32_t> named_;  // 1 + index into names_, or 0
     std::vector<std::string> names_;
+    std::set<std::string, std::less<>> taken_;  // the same names
 };
 
 /// The keys of the material; default values are omitted.
