@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "formats/load_validated.h"
+#include "formats/povray/standard_includes.h"
 
 namespace glint::wasm {
 namespace {
@@ -55,9 +56,11 @@ class Includes : public Sources {
         const std::string folder(from.substr(0, from.rfind('/') + 1));
         const auto at = texts_.find(folder + std::string(name));
         if (at != texts_.end()) return std::string(at->second);
-        if (std::find(missing.begin(), missing.end(), folder + std::string(name)) == missing.end())
+        const bool is_own =
+            name.starts_with(povray::k_system_folder) || !povray::standard_include(name).text.empty();
+        if (!is_own && std::find(missing.begin(), missing.end(), folder + std::string(name)) == missing.end())
             missing.push_back(folder + std::string(name));
-        return Status{ErrorCode::io, "no such text is among the request's includes", {}};
+        return Status{ErrorCode::io, {}, {}};  // the reader has the words for it
     }
 
     std::vector<std::string> missing;
@@ -106,7 +109,7 @@ Result<ValidatedScene> load(const RequestTexts& texts, const json& request,
     }
     Includes includes(texts.includes);
     Result<ValidatedScene> loaded = load_validated(views(texts.texts), options, &includes);
-    missing = std::move(includes.missing);
+    missing = loaded.code == ErrorCode::io ? std::move(includes.missing) : std::vector<std::string>();
     return loaded;
 }
 

@@ -332,6 +332,26 @@ test('missing texts are named, so that they can be supplied', () => {
     whole.close();
 });
 
+test('all missing texts of a POV-Ray scene are named at once, and none that glint has of its own', () => {
+    const text = `#include "colors.inc"
+#if (true) #include "one.inc"
+#include "two.inc" #else #include "other_branch.inc" #end
+#ifdef (Never) #include "not_read.inc" #end
+#include "metals.inc"
+#include "three.inc"
+sphere { 0, 1 pigment { Red } }
+`;
+    const scene = glint.open({texts: [{name: 'my/main.pov', text}]});
+    assert.deepEqual(scene.report.missing, ['my/one.inc', 'my/two.inc', 'my/three.inc']);
+    assert.deepEqual(scene.report.diagnostics.map(({line, message}) => `${line} ${message}`),
+        ["2 'one.inc': no such file", "3 'two.inc': no such file", "6 'three.inc': no such file"]);
+    scene.close();
+    const own = glint.open({texts: [{name: 'main.pov', text: '#include "colors.inc"\nsphere { 0 }\n'}]});
+    assert.equal(own.report.ready, false);
+    assert.equal(own.report.missing, undefined);
+    own.close();
+});
+
 test('the report is that of the last request', () => {
     const {scene} = open(...tiled);
     assert.throws(() => scene.render(0, 0, 500, 1), /./);

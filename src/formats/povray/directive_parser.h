@@ -46,7 +46,14 @@ class DirectiveParser : public ObjectParser {
 
     // includes.cpp
     void read_include(const Token& at);
+    struct FoundText {
+        Result<std::string> text;
+        bool is_own = false;  ///< of POV-Ray's own includes
+    };
+    std::string path_of(const std::string& name);
+    FoundText find_text(const std::string& name);
     void include(const Token& at, const std::string& name);
+    void report_missing();
     void add_text(const Token& at, const std::string& path, std::string text);
     void open_text(const Token& at, std::uint16_t number);
 };

@@ -2,6 +2,8 @@
 // #include: the text beside the including one, glint's table of standard names, or POV-Ray's own file.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/text.h"
 #include "formats/povray/directive_parser.h"
 #include "formats/povray/standard_includes.h"
@@ -25,34 +27,94 @@ void DirectiveParser::read_include(const Token& at) {
     include(at, name);
 }
 
-void DirectiveParser::include(const Token& at, const std::string& name) {
-    Includes& all = reading().includes;
-    // Texts of one folder: the names of POV-Ray's includes have no folder.
+// Texts of one folder: the names of POV-Ray's includes have no folder.
+std::string DirectiveParser::path_of(const std::string& name) {
     const std::string_view from = text().place.name;
-    const std::string path =
-        name.starts_with('/') ? name : std::string(from.substr(0, from.rfind('/') + 1)) + name;
+    return name.starts_with('/') ? name : std::string(from.substr(0, from.rfind('/') + 1)) + name;
+}
+
+// The text of a name: a file's, or glint's own.
+DirectiveParser::FoundText DirectiveParser::find_text(const std::string& name) {
+    const std::string_view from = text().place.name;
+    Status beside{ErrorCode::io, "no files are read here", {}};
+    if (reading().sources != nullptr) {
+        Result<std::string> text = reading().sources->read(name, from);
+        if (text) return {std::move(text), false};
+        beside = {ErrorCode::io, text.message.empty() ? "no such file" : text.message, {}};
+    }
+    StandardInclude own = standard_include(name);
+    if (own.is_complete) return {std::move(own.text), true};
+    if (reading().sources != nullptr && name.find('/') == std::string::npos) {
+        Result<std::string> text = reading().sources->read(std::string(k_system_folder) + name, from);
+        if (text) return {std::move(text), true};
+    }
+    if (!own.text.empty()) return {std::move(own.text), true};
+    return {std::move(beside), false};
+}
+
+void DirectiveParser::include(const Token& at, const std::string& name) {
+    const std::string path = path_of(name);
+    Includes& all = reading().includes;
     if (const auto known = all.files.find(path); known != all.files.end()) {
         return open_text(at, known->second);
     }
-    std::string why = "no files are read here";
-    if (reading().sources != nullptr) {
-        Result<std::string> text = reading().sources->read(name, from);
-        if (text) return add_text(at, path, std::move(*text));
-        why = text.message.empty() ? "no such file" : text.message;
+    FoundText found = find_text(name);
+    if (!found.text) {
+        reading().is_include_missing = true;
+        error(at, fmt::format("{}: {}", quoted(name), found.text.message));
+        return report_missing();
     }
-    if (!version_) {
+    if (found.is_own && !version_) {
         version_ = 3.7;  // POV-Ray's own includes end with it
         version_place_ = at;
     }
-    StandardInclude own = standard_include(name);
-    if (own.is_complete) return add_text(at, path, std::move(own.text));
-    if (reading().sources != nullptr && name.find('/') == std::string::npos) {
-        Result<std::string> text = reading().sources->read(std::string(k_system_folder) + name, from);
-        if (text) return add_text(at, path, std::move(*text));
+    add_text(at, path, std::move(*found.text));
+}
+
+// Reading ends at the first include without a text. The others that the text certainly includes are reported
+// with it.
+void DirectiveParser::report_missing() {
+    const Frame& frame = frames_.back();
+    int depth = 0;  // of conditions, loops and macros that begin after the first one
+    for (std::uint32_t i = frame.at; i + 1 < frame.end && !reading().diagnostics.full(); ++i) {
+        const Token& token = frame.tokens[i];
+        if (token.kind != TokenKind::directive) continue;
+        switch (token.directive()) {
+            case Word::k_if:
+            case Word::k_ifdef:
+            case Word::k_ifndef:
+            case Word::k_while:
+            case Word::k_for:
+            case Word::k_switch:
+            case Word::k_macro:
+                ++depth;
+                break;
+            case Word::k_else:
+            case Word::k_elseif:
+            case Word::k_case:
+            case Word::k_range:
+                if (depth == 0) depth = 1;  // the other branch of the condition that this is in
+                break;
+            case Word::k_end:
+                depth = std::max(0, depth - 1);
+                break;
+            case Word::k_include: {
+                const Token& file = frame.tokens[i + 1];
+                if (depth > 0 || file.kind != TokenKind::string) break;
+                const std::string_view said = text_of(file);  // with its quotation marks
+                const std::string name(said.substr(1, said.size() - 2));
+                if (reading().includes.files.contains(path_of(name))) break;
+                if (const FoundText found = find_text(name); !found.text) {
+                    reading().diagnostics.error(reading().texts[token.text], token.offset,
+                                                text_of(token).size(),
+                                                fmt::format("{}: {}", quoted(name), found.text.message));
+                }
+                break;
+            }
+            default:
+                break;
+        }
     }
-    if (!own.text.empty()) return add_text(at, path, std::move(own.text));
-    reading().is_include_missing = true;
-    error(at, fmt::format("{}: {}", quoted(name), why));
 }
 
 void DirectiveParser::add_text(const Token& at, const std::string& path, std::string text) {
