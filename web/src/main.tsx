@@ -6,6 +6,7 @@ import {embedded} from './store/embedded';
 import {type Entry, arrive, placeOf} from './store/address';
 import {addressChanged, followLessons, goToPlace, resume} from './store/learning';
 import {keepPage} from './store/memory';
+import {followMissing} from './store/opening';
 import {followOwnPicture} from './store/own';
 import {openFirst} from './store/scene';
 import {failure, services, state} from './store/state';
@@ -23,6 +24,7 @@ try {
         keepPage();
         followLessons();
         followOwnPicture();
+        followMissing();
     }
 } catch (error) {
     failure.value = `The engine could not be started: ${error instanceof Error ? error.message : String(error)}`;

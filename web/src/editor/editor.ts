@@ -11,6 +11,7 @@ import {EditorView, drawSelection, highlightActiveLine, highlightActiveLineGutte
 import type {SceneInfo, SceneText} from 'glint-wasm';
 
 import type {Edit} from '../text/edit';
+import {longestLine, withShortLines} from '../text/long_lines';
 import {completion} from './completion';
 import {languageOf} from './language';
 import {numbers} from './numbers';
@@ -25,18 +26,6 @@ export interface DocumentState {
     overrides: Record<string, string>;
     /** The texts that it may include. */
     includes: SceneText[];
-}
-/** The longest line that the editor can show; longer ones block the page. */
-export const longestLine = 20_000;
-
-/** The number of a line that is too long, or 0. */
-export function tooLongLine(text: string): number {
-    for (let from = 0, line = 1; from <= text.length; ++line) {
-        const end = text.indexOf('\n', from) < 0 ? text.length : text.indexOf('\n', from);
-        if (end - from > longestLine) return line;
-        from = end + 1;
-    }
-    return 0;
 }
 const documentStateChanged = StateEffect.define<DocumentState>();
 /** The change goes on with the one before. */
@@ -129,6 +118,7 @@ export class Editor {
                         return true;
                     },
                 }),
+                EditorView.clipboardInputFilter.of((pasted) => withShortLines(this.events.documentState().name, pasted)),
                 EditorState.changeFilter.of(({changes, newDoc}) => {
                     let isTooLong = false;
                     changes.iterChangedRanges((_from, _to, from, to) => {

@@ -5,9 +5,10 @@ import {effect, signal} from '@preact/signals';
 
 import {gallery, parts} from '../gallery';
 import type {StoredScene} from '../share';
+import {keepLarge, largeOf} from './large';
 import {pixelToKeep} from './pixels';
 import {
-    type Tab, comparison, fileName, includes, overrides, pinned, sceneName, step, tab, text,
+    type Tab, comparison, documentId, fileName, includes, notice, overrides, pinned, sceneName, step, tab, text,
 } from './state';
 
 interface KeptPage extends StoredScene {
@@ -18,6 +19,7 @@ interface KeptPage extends StoredScene {
     hash: string;
 }
 
+/** The largest text that storage holds, in characters; larger ones are in IndexedDB (large.ts). */
 const largest = 2e6;
 const mostRecent = 8;
 
@@ -32,18 +34,23 @@ function read<T>(where: Where, key: string): T | null {
     }
 }
 
-function write(where: Where, key: string, value: unknown) {
+/** False: there is no storage, or no room in it. */
+function write(where: Where, key: string, value: unknown): boolean {
     try {
-        const json = JSON.stringify(value);
-        if (json.length <= largest) {
-            globalThis[where].setItem(key, json);
-        } else {
-            globalThis[where].removeItem(key);
-        }
+        globalThis[where].setItem(key, JSON.stringify(value));
+        return true;
     } catch {
-        // There is no storage, or no room in it.
+        return false;
     }
 }
+
+/** Stands in storage for what is in IndexedDB. */
+interface Elsewhere {large: string}
+
+const isElsewhere = (value: object): value is Elsewhere => 'large' in value;
+
+/** About the characters that a scene takes in storage. */
+const sizeOf = (scene: StoredScene) => scene.text.length + (scene.includes ?? []).reduce((sum, one) => sum + one.text.length, 0);
 
 const pageKey = 'glint.page', recentKey = 'glint.recent';
 
@@ -58,36 +65,78 @@ export function presentScene(): StoredScene {
 }
 
 /** The page as it was: of this tab, else of the last one. */
-export const keptPage = () => read<KeptPage>('sessionStorage', pageKey) ?? read<KeptPage>('localStorage', pageKey);
+export async function keptPage(): Promise<KeptPage | null> {
+    const kept = read<KeptPage | Elsewhere>('sessionStorage', pageKey) ?? read<KeptPage | Elsewhere>('localStorage', pageKey);
+    return kept && isElsewhere(kept) ? (await largeOf(kept.large) as KeptPage | null) : kept;
+}
+
+/** A scene that was opened before; `large`: its text is kept elsewhere. */
+export interface RecentScene extends StoredScene {
+    large?: string | undefined;
+}
 
 /** The newest first. */
-export const recent = signal<StoredScene[]>(read<StoredScene[]>('localStorage', recentKey) ?? []);
+export const recent = signal<RecentScene[]>(read<RecentScene[]>('localStorage', recentKey) ?? []);
+
+/** The whole of a recent scene; null: it is kept no longer. */
+export async function recentScene(scene: RecentScene): Promise<StoredScene | null> {
+    return scene.large === undefined ? scene : (await largeOf(scene.large) as StoredScene | null);
+}
+
+const nameOf = (scene: StoredScene) => `recent ${scene.name} ${scene.scene ?? ''}`;
 
 /** Remembers a scene that is the user's own: not one of the gallery. */
 export function remember(scene: StoredScene) {
     const isGallery = gallery.some((one) => one.name === scene.name && one.text === scene.text) && !scene.overrides;
     if (scene.name === '' || isGallery) return;
     const others = recent.value.filter((one) => one.name !== scene.name || one.scene !== scene.scene);
-    recent.value = [{...scene, compare: undefined}, ...others].slice(0, mostRecent);
-    while (JSON.stringify(recent.value).length > largest) recent.value = recent.value.slice(0, -1);
+    const isLarge = sizeOf(scene) > largest / mostRecent, large = nameOf(scene);
+    const entry: RecentScene = {...scene, compare: undefined, ...(isLarge ? {large, text: '', includes: undefined} : {})};
+    recent.value = [entry, ...others].slice(0, mostRecent);
     write('localStorage', recentKey, recent.value);
+    if (!isLarge) return;
+    void keepLarge(large, {...scene, compare: undefined}).then((isKept) => {
+        if (isKept) return;
+        recent.value = recent.value.filter((one) => one !== entry);
+        write('localStorage', recentKey, recent.value);
+    });
+}
+
+/** The key of this tab's page in IndexedDB: that of the reload before. */
+const ownKey = () => {
+    const kept = read<KeptPage | Elsewhere>('sessionStorage', pageKey);
+    return kept && isElsewhere(kept) ? kept.large : `page ${crypto.randomUUID?.() ?? Math.random()}`;
+};
+
+/** Says once of each scene that a reload would lose it. */
+function warn(page: KeptPage, warned: {id: number}) {
+    if (warned.id === documentId.value) return;
+    warned.id = documentId.value;
+    const size = sizeOf(page);
+    notice.value = `The browser has no room for this scene (${size < 1e6 ? `${Math.ceil(size / 1000)} kB` : `${(size / 1e6).toFixed(1)} MB`}): a reload would lose your changes. Save scene makes a file of it.`;
 }
 
 /** Keeps the page from now on. */
 export function keepPage() {
+    const large = ownKey(), warned = {id: 0};
     let timer = 0;
-    const keep = () => {
+    const keep = async () => {
         clearTimeout(timer);
         timer = 0;
         const page: KeptPage = {...presentScene(), tab: tab.value, pixel: pixelToKeep(), step: step.value ?? undefined, hash: location.hash};
-        write('sessionStorage', pageKey, page);
-        write('localStorage', pageKey, page);
+        if (sizeOf(page) <= largest && write('sessionStorage', pageKey, page)) {
+            write('localStorage', pageKey, page);
+        } else if (await keepLarge(large, page)) {
+            for (const where of ['sessionStorage', 'localStorage'] as const) write(where, pageKey, {large} satisfies Elsewhere);
+        } else {
+            warn(page, warned);
+        }
     };
     effect(() => {
         presentScene();
         void [tab.value, pinned.value, step.value];
         timer ||= window.setTimeout(keep, 400);
     });
-    addEventListener('pagehide', keep);
-    addEventListener('visibilitychange', keep);
+    addEventListener('pagehide', () => void keep());
+    addEventListener('visibilitychange', () => void keep());
 }

@@ -1,16 +1,86 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the user drops or chooses: scenes with what they include, or a picture of the present scene.
-import {isPictureName} from '../picture_file';
-import {openPicture} from './own';
-import {openSceneFiles} from './scene';
-import {notice} from './state';
+// What the user drops or chooses: scenes with what they include, also in a folder or a .zip, or a picture of the present scene.
+import {computed, effect, signal} from '@preact/signals';
+import type {SceneText} from 'glint-wasm';
 
-export async function openFiles(files: File[]) {
-    const picture = files.find(({name}) => isPictureName(name));
-    if (picture && files.every(({name}) => isPictureName(name))) return openPicture(picture);
-    if (files.every(({name}) => /\.exr$/i.test(name))) {
-        notice.value = 'OpenEXR pictures are compared by the command: glint compare mine.exr reference.exr --scene SCENE.';
+import {type GivenFile, prepareArchives, withoutArchives} from '../given_files';
+import {isPictureName} from '../picture_file';
+import {extensions, formatOf} from '../text/formats';
+import {namesIncludedBy, rootsOf, textsFor} from '../text/includes';
+import {keepForBack, setAddress} from './address';
+import {openPicture} from './own';
+import {openScene, shortName} from './scene';
+import {currentDocumentState, documentId, fileName, includes, missing, notice, services, text} from './state';
+
+/** The texts that were given with the present scene. */
+const folder = signal<SceneText[]>([]);
+
+/** The names of the scenes among them; none if the present scene is another one. */
+export const folderScenes = computed(() => {
+    const names = folder.value.filter(({name}) => formatOf(name)).map(({name}) => name);
+    return names.includes(fileName.value) ? names : [];
+});
+
+export async function openFiles(given: readonly GivenFile[]) {
+    let files: GivenFile[];
+    try {
+        files = await withoutArchives(given);
+    } catch (error) {
+        notice.value = error instanceof Error ? error.message : String(error);
         return;
     }
-    return openSceneFiles(files.filter(({name}) => !isPictureName(name)));
+    const picture = files.find(({path}) => isPictureName(path));
+    if (picture && files.every(({path}) => isPictureName(path))) {
+        await openPicture(picture.file);
+    } else if (files.length > 0 && files.every(({path}) => /\.exr$/i.test(path))) {
+        notice.value = 'OpenEXR pictures are compared by the command: glint compare mine.exr reference.exr --scene SCENE.';
+    } else {
+        await openTexts(files.filter(({path}) => !isPictureName(path)), given);
+    }
+}
+
+/** Supplies the texts that the present scene lacks, if they are among these; else opens the first scene, with those that it includes. */
+async function openTexts(files: readonly GivenFile[], given: readonly GivenFile[]) {
+    const texts = await Promise.all(files.map(async ({path, file}) => ({name: path, text: await file.text()})));
+    if (supply(textsFor(missing.value, fileName.value, texts))) return;
+    const scenes = texts.filter(({name}) => formatOf(name)), [main, ...others] = rootsOf(scenes);
+    if (!main) {
+        notice.value = `Not a scene: ${given.map(({file}) => shortName(file.name)).join(', ')}. Scenes end in .${extensions.join(', .')}.`;
+        return;
+    }
+    folder.value = texts;
+    openFromFolder(main);
+    if (others.length > 0 && notice.value === '') notice.value = `${shortName(main.name)} is opened, one of ${others.length + 1} scenes here; the menu above the text has the others.`;
+}
+
+function openFromFolder(file: SceneText) {
+    keepForBack();
+    openScene({...file, includes: textsFor(namesIncludedBy(file), file.name, folder.value)});
+    setAddress(null);
+}
+
+/** Opens another scene of the folder; the present one keeps its changes there. */
+export function chooseFile(name: string) {
+    folder.value = folder.value.map((one) => (one.name === fileName.value ? {name: one.name, text: text.value} : one));
+    const file = folder.value.find((one) => one.name === name);
+    if (file && name !== fileName.value) openFromFolder(file);
+}
+
+/** Gives the present scene more texts that it may include. False if there are none. */
+function supply(found: readonly SceneText[]): boolean {
+    if (found.length === 0) return false;
+    const others = includes.value.filter((one) => !found.some(({name}) => name === one.name));
+    services.editor?.setDocumentState({...currentDocumentState(), includes: [...others, ...found]});
+    return true;
+}
+
+/** Texts whose names a scene computes are found in its folder, too. */
+export function followMissing() {
+    requestIdleCallback(() => void prepareArchives());
+    effect(() => {
+        const names = missing.value.filter((name) => !includes.peek().some((one) => one.name === name));
+        if (folderScenes.peek().length === 0 || names.length === 0) return;
+        const found = textsFor(names, fileName.peek(), folder.peek()), id = documentId.peek();
+        if (found.length > 0) queueMicrotask(() => id === documentId.peek() && supply(found));
+    });
 }

@@ -4,6 +4,7 @@
 import type {Place} from 'glint-wasm';
 
 import {spanOf} from '../text/places';
+import {openIncluded, opened} from './included';
 import {fileName, services, notice, tab, text} from './state';
 
 /** True if a place is in the edited text, not in one that it includes. */
@@ -15,6 +16,7 @@ export function offsetOf(place: {line: number; column: number}): number | null {
 }
 
 function select(from: number) {
+    opened.value = null;
     const end = text.value.indexOf('\n', from);
     if (matchMedia('(max-width: 1011px)').matches) tab.value = 'text';
     // After the editor's panel has become visible.
@@ -23,11 +25,11 @@ function select(from: number) {
 
 function isElsewhere(file: string | undefined, line: number): boolean {
     if (file === fileName.value) return false;
-    notice.value = `That is line ${line} of ${file}, which this scene includes.`;
+    openIncluded(file, line);
     return true;
 }
 
-/** Shows the place of an item of the scene. */
+/** Shows the place of an item of the scene, also in a text that it includes. */
 export function reveal(place: Partial<Place> | null | undefined) {
     const {line, column, file} = place ?? {};
     if (line === undefined || column === undefined) return;

@@ -3,17 +3,17 @@
 import {batch} from '@preact/signals';
 import type {OpenRequest} from 'glint-wasm';
 
-import {type DocumentState, longestLine, tooLongLine} from '../editor/editor';
+import type {DocumentState} from '../editor/editor';
 import {type GalleryScene, gallery, parts} from '../gallery';
 import {type Shared, type SharedChallenge, type StoredScene, fromFragment, toFragment} from '../share';
-import {extensions, formatOf} from '../text/formats';
+import {longestLine, tooLongLine, withShortLines} from '../text/long_lines';
 import {galleryName, keepForBack, placeOf, setAddress} from './address';
 import {embedded} from './embedded';
 import {forgetLights} from './lights';
 import {keptPage, presentScene, remember} from './memory';
 import {pinLater} from './pixels';
 import {
-    type Comparison, currentDocumentState, comparison, comparisonFailure, documentId, fileName, history, hovered, includes, isFirstVisit, isSecondDone, givenChallenge, isTab, missing,
+    type Comparison, currentDocumentState, comparison, comparisonFailure, documentId, fileName, history, hovered, includes, isFirstVisit, isSecondDone, givenChallenge, isTab,
     services as page, notice,
     overrides, ownPicture, pinned, pinnedIn, pixel, sceneName, skipsUnsupported, state, step, tab, text,
 } from './state';
@@ -84,7 +84,7 @@ export function textChanged(now: string, documentState: DocumentState | null, ca
 }
 
 /** A file's name without its folders, for a message. */
-function shortName(name: string): string {
+export function shortName(name: string): string {
     const own = name.split('/').at(-1)!;
     return own.length > 60 ? `${own.slice(0, 40)}…${own.slice(-15)}` : own;
 }
@@ -95,7 +95,8 @@ export function chooseScene(name: string) {
 }
 
 /** Opens a scene in place of the previous one, which undo restores; fresh: which only Back restores. */
-export function openScene(scene: StoredScene, fresh = false) {
+export function openScene(given: StoredScene, fresh = false) {
+    const scene = {...given, text: withShortLines(given.name, given.text)};
     const tooLong = tooLongLine(scene.text);
     if (tooLong > 0) {
         notice.value = `${shortName(scene.name)} is not opened: line ${tooLong} has more than ${longestLine} characters.`;
@@ -117,13 +118,15 @@ export function openScene(scene: StoredScene, fresh = false) {
     });
     if (fileName.value !== '' && !fresh) {
         page.editor?.setDocumentState(documentState, scene.text);
-        return;
+    } else {
+        take(documentState);
+        forgetLights();
+        text.value = scene.text;
+        page.editor?.begin(scene.text, scene.name);
+        render();
     }
-    take(documentState);
-    forgetLights();
-    text.value = scene.text;
-    page.editor?.begin(scene.text, scene.name);
-    render();
+    if (scene.text !== given.text)
+        notice.value = `${shortName(scene.name)} had a line of more than ${longestLine} characters, which the editor cannot show. It is now divided at commas; the scene is the same.`;
 }
 
 /** A scene of the gallery, whose address it gets. */
@@ -139,7 +142,7 @@ export const openBookScene = () => openScene(bookScene());
 
 /** Opens the scene of the address; without one the page as it was, or the scene of the book. False: the address is a place of address.ts. */
 export async function openFirst(): Promise<boolean> {
-    const kept = embedded ? null : keptPage();  // another page shall not see the user's scenes
+    const kept = embedded ? null : await keptPage();  // another page shall not see the user's scenes
     const {hash} = location;
     if (kept && (hash === '' || hash === kept.hash) && tooLongLine(kept.text) === 0) {
         tab.value = kept.tab;
@@ -168,7 +171,7 @@ export async function resumeChallenge(hash: string) {
 /** The address was changed to another link. */
 export async function openLink(hash: string) {
     const shared = await fromFragment(hash);
-    const isScene = typeof shared === 'object' && shared !== null && tooLongLine(shared.text) === 0;
+    const isScene = typeof shared === 'object' && shared !== null && tooLongLine(withShortLines(shared.name, shared.text)) === 0;
     if (isScene || fileName.value === '') openScene(isScene ? shared : bookScene());
     if (isScene && isTab(shared.tab)) tab.value = shared.tab;
     if (isScene && shared.pixel) pinLater(shared.pixel, shared.step ?? null);
@@ -186,31 +189,6 @@ export async function link(challenge?: SharedChallenge): Promise<string> {
     url.search = '';  // of the whole page
     url.hash = await toFragment(shared);
     return url.href;
-}
-
-/** The name of a file without its folders. */
-const ownName = (name: string) => name.split('/').at(-1)!;
-
-/**
- * Files were dropped: supplies those that the present scene includes and does not have; else opens the first scene, which may
- * include the other files.
- */
-export async function openSceneFiles(files: File[]) {
-    const read = await Promise.all(files.map(async (file) => ({name: file.name, text: await file.text()})));
-    const supplied = missing.value.flatMap((name) => read.filter((file) => ownName(file.name) === ownName(name)).map(({text: found}) => ({name, text: found})));
-    if (supplied.length > 0) {
-        const others = includes.value.filter((one) => !supplied.some(({name}) => name === one.name));
-        page.editor?.setDocumentState({...currentDocumentState(), includes: [...others, ...supplied]});
-        return;
-    }
-    const main = read.find((file) => formatOf(file.name));
-    if (!main) {
-        notice.value = `Not a scene: ${files.map((file) => shortName(file.name)).join(', ')}. Scenes end in .${extensions.join(', .')}.`;
-        return;
-    }
-    keepForBack();
-    openScene({...main, includes: read.filter((file) => file !== main)});
-    setAddress(null);
 }
 
 let conversions = 0;

@@ -2,6 +2,7 @@
 import {useEffect} from 'preact/hooks';
 
 import {savePicture} from '../files';
+import {droppedFiles} from '../given_files';
 import {openFiles} from '../store/opening';
 import {isLarge} from '../store/space';
 import {services, pinned, tab} from '../store/state';
@@ -67,8 +68,7 @@ function useDrop() {
         const over = (event: DragEvent) => event.preventDefault();
         const drop = (event: DragEvent) => {
             event.preventDefault();
-            const files = [...(event.dataTransfer?.files ?? [])];
-            if (files.length > 0) void openFiles(files);
+            if (event.dataTransfer && event.dataTransfer.files.length > 0) void droppedFiles(event.dataTransfer).then(openFiles);
         };
         addEventListener('dragover', over);
         addEventListener('drop', drop);

@@ -5,7 +5,7 @@ import {useEffect, useRef} from 'preact/hooks';
 import {commandLine} from '../command';
 import {savePicture, saveScene} from '../files';
 import {gallery} from '../gallery';
-import {presentScene, recent} from '../store/memory';
+import {presentScene, recent, recentScene} from '../store/memory';
 import {keepForBack, setAddress} from '../store/address';
 import {link, openGalleryScene, openScene} from '../store/scene';
 import {fileName, history, info, services, notice, sceneName, text} from '../store/state';
@@ -36,7 +36,8 @@ function SceneMenu() {
                 <div class="menu-body">
                     <div class="menu-head">
                         <h2>Scenes</h2>
-                        <FileButton label="Open a file…" opened={() => dialog.current?.close()} />
+                        <FileButton label="Open files…" opened={() => dialog.current?.close()} />
+                        <FileButton label="Open a folder…" folder opened={() => dialog.current?.close()} />
                         <button class="quiet" aria-label="Close" onClick={() => dialog.current?.close()}>✕</button>
                     </div>
                     <Recent done={() => dialog.current?.close()} />
@@ -74,11 +75,16 @@ function Recent({done}: {done: () => void}) {
             <h3>Recent</h3>
             <div class="presets">
                 {recent.value.map((scene) => (
-                    <button key={scene.name + (scene.scene ?? '')} class="button recent" title={scene.name} onClick={() => {
-                        keepForBack();
-                        openScene(scene);
-                        setAddress(null);
+                    <button key={scene.name + (scene.scene ?? '')} class="button recent" title={scene.name} onClick={async () => {
                         done();
+                        const whole = await recentScene(scene);
+                        if (!whole) {
+                            notice.value = `${scene.name.split('/').at(-1)} is kept no longer.`;
+                            return;
+                        }
+                        keepForBack();
+                        openScene(whole);
+                        setAddress(null);
                     }}>{scene.name.split('/').at(-1)}</button>
                 ))}
             </div>

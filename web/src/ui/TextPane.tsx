@@ -2,12 +2,16 @@
 import {computed, effect} from '@preact/signals';
 import {useLayoutEffect, useRef} from 'preact/hooks';
 
-import {Editor, longestLine} from '../editor/editor';
+import {Editor} from '../editor/editor';
+import {opened} from '../store/included';
+import {chooseFile, folderScenes} from '../store/opening';
 import {revealMistake} from '../store/places';
 import {chooseScene, convertToGlint, skipUnsupported, textChanged} from '../store/scene';
 import {currentDocumentState, diagnostics, failure, fileName, format, info, missing, notice, services, sceneName, skipsUnsupported, text} from '../store/state';
+import {longestLine} from '../text/long_lines';
 import {spanOf} from '../text/places';
 import {Choice, FileButton} from './fields';
+import {IncludedText} from './IncludedText';
 import {Outside} from './Outside';
 
 const scenes = computed(() => format.value?.scenes?.(text.value) ?? []);
@@ -36,6 +40,7 @@ export function TextPane() {
         <section class="text-pane" aria-label="Scene text" id="panel-text">
             <div class="pane-head">
                 <h2 title={fileName.value}>{fileName.value.split('/').at(-1)}</h2>
+                {folderScenes.value.length > 1 && <Choice label="File" hidden value={fileName.value} values={folderScenes.value} set={chooseFile} />}
                 {scenes.value.length > 1 && (
                     <Choice label="Scene of this file" hidden value={sceneName.value ?? scenes.value[0]!} values={scenes.value} set={chooseScene} />
                 )}
@@ -46,7 +51,8 @@ export function TextPane() {
                     <svg class="icon" viewBox="0 0 14 14" aria-hidden="true"><circle cx="6" cy="6" r="4" /><path d="M9 9l4 4" /></svg>
                 </button>
             </div>
-            <div class="editor" ref={host} />
+            {opened.value && <IncludedText />}
+            <div class="editor" ref={host} hidden={opened.value !== null} />
             <Outside />
             <Messages />
         </section>
@@ -60,7 +66,7 @@ function Messages() {
         <div class="messages" aria-live="polite">
             {missing.value.length > 0 && (
                 <p class="message">
-                    {missing.value.join(', ')} {missing.value.length === 1 ? 'is' : 'are'} not here. Drop {missing.value.length === 1 ? 'it' : 'them'} onto the page, or <FileButton label="choose the file…" />
+                    {missing.value.join(', ')} {missing.value.length === 1 ? 'is' : 'are'} not here. Drop {missing.value.length === 1 ? 'it' : 'them'} onto the page, alone or in a folder or .zip, or <FileButton label="choose files…" /> <FileButton label="choose a folder…" folder />
                 </p>
             )}
             {(skipsUnsupported.value || list.some((one) => one.can_skip)) && (

@@ -4,6 +4,7 @@ import {useSignal} from '@preact/signals';
 import type {ComponentChildren} from 'preact';
 import {useId} from 'preact/hooks';
 
+import {chosenFiles} from '../given_files';
 import {openFiles} from '../store/opening';
 import {services} from '../store/state';
 
@@ -104,12 +105,12 @@ export function TextField({label, value, set}: {label: string; value: string; se
     );
 }
 
-/** Opens files of the user. */
-export function FileButton({label, opened}: {label: string; opened?: () => void}) {
+/** Opens files of the user, or a folder. */
+export function FileButton({label, opened, folder}: {label: string; opened?: () => void; folder?: boolean}) {
     return (
         <label class="button file">{label}
-            <input type="file" multiple onChange={(event) => {
-                void openFiles([...(event.currentTarget.files ?? [])]);
+            <input type="file" multiple {...(folder ? {webkitdirectory: true} : {})} onChange={(event) => {
+                void openFiles(chosenFiles(event.currentTarget.files ?? []));
                 event.currentTarget.value = '';
                 opened?.();
             }} />

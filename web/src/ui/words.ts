@@ -2,13 +2,17 @@
 // Texts for explanations.
 import type {ExplainedHit, ExplainedRay, Explanation, LightTerms, NamedItem, Vec3} from 'glint-wasm';
 
+import {fileName} from '../store/state';
+
 export const hex = (bytes: Vec3) => `rgb(${bytes.join(' ')})`;
 
-/** "sphere “lamp”", or "sphere, line 8". */
+/** "sphere “lamp”", "sphere, line 8" or, in a text that the scene includes, "sphere, line 8 of parts/column.glint". */
 export function itemName(item: NamedItem & {kind?: string}): string {
     const kind = (item.kind ?? '').replace('_', ' ');
     const name = item.name ? `${kind} “${item.name}”`.trim() : kind;
-    return item.line !== undefined ? `${name}, line ${item.line}` : name;
+    const {line, file} = item;
+    if (line === undefined) return name;
+    return `${name}, line ${line}${file === undefined || file === fileName.value ? '' : ` of ${file}`}`;
 }
 
 /** “lamp”, or "point light, line 12". */
