@@ -5,14 +5,16 @@ import {defaultKeymap, history, historyKeymap, invertedEffects, isolateHistory, 
 import {bracketMatching, indentUnit} from '@codemirror/language';
 import {type Diagnostic as Mark, lintGutter, setDiagnostics} from '@codemirror/lint';
 import {openSearchPanel, search, searchKeymap} from '@codemirror/search';
-import {Annotation, Compartment, EditorState, StateEffect, Transaction} from '@codemirror/state';
+import {Annotation, Compartment, EditorState, type Extension, StateEffect, Transaction} from '@codemirror/state';
 import {EditorView, drawSelection, highlightActiveLine, highlightActiveLineGutter, keymap, lineNumbers} from '@codemirror/view';
 
 import type {SceneInfo, SceneText} from 'glint-wasm';
 
+import {parts} from '../gallery';
 import type {Edit} from '../text/edit';
 import {longestLine, withShortLines} from '../text/long_lines';
 import {completion} from './completion';
+import {type KeptHistory, keptHistory, stateWith} from './kept_history';
 import {languageOf} from './language';
 import {numbers} from './numbers';
 import {PlaceTracker} from './place_tracker';
@@ -101,45 +103,52 @@ export class Editor {
         this.#view = new EditorView({parent, root, state: this.#state('', '')});
     }
 
-    #state(text: string, name: string) {
-        return EditorState.create({
-            doc: text,
-            extensions: [
-                lineNumbers(), this.#history(), drawSelection(), bracketMatching(), EditorView.lineWrapping, highlightActiveLine(), highlightActiveLineGutter(),
-                lintGutter(), indentUnit.of('    '), search({top: true}), numbers, keymap.of([...searchKeymap, ...defaultKeymap, ...historyKeymap]), theme,
-                this.#completion.of(this.#completionOf(name)),
-                this.#language.of(languageOf(name)),
-                EditorView.contentAttributes.of({'aria-label': 'Scene text', tabindex: '0', spellcheck: 'false', autocapitalize: 'off'}),
-                // Chromium types over several lines by way of elements with styles, which the Content-Security-Policy reports.
-                EditorView.domEventHandlers({
-                    beforeinput({inputType, data}, view) {
-                        if (inputType !== 'insertText' || data === null || view.state.selection.main.empty || view.composing) return false;
-                        view.dispatch(view.state.replaceSelection(data), {userEvent: 'input.type', scrollIntoView: true});
-                        return true;
-                    },
-                }),
-                EditorView.clipboardInputFilter.of((pasted) => withShortLines(this.events.documentState().name, pasted)),
-                EditorState.changeFilter.of(({changes, newDoc}) => {
-                    let isTooLong = false;
-                    changes.iterChangedRanges((_from, _to, from, to) => {
-                        for (const lines = newDoc.iterLines(newDoc.lineAt(from).number, newDoc.lineAt(to).number + 1); !lines.next().done;)
-                            isTooLong ||= lines.value.length > longestLine;
-                    });
-                    if (isTooLong) this.events.refused();
-                    return !isTooLong;
-                }),
-                invertedEffects.of((transaction) =>
-                    transaction.effects.some((one) => one.is(documentStateChanged)) ? [documentStateChanged.of(this.events.documentState())] : []),
-                EditorView.updateListener.of((update) => {
-                    if (update.docChanged) {
-                        this.#places.changed(update.changes.desc, update.state.doc);
-                        this.#changedAt = performance.now();
-                    }
-                    const documentState = update.transactions.flatMap((one) => one.effects).findLast((one) => one.is(documentStateChanged))?.value;
-                    if (update.docChanged || documentState) this.#tell(documentState ?? null);
-                }),
-            ],
-        });
+    #state(text: string, name: string, kept?: KeptHistory) {
+        const extensions = this.#extensions(name);
+        try {
+            if (kept) return stateWith(text, kept, extensions, documentStateChanged, parts);
+        } catch {
+            // It is of another version of the editor.
+        }
+        return EditorState.create({doc: text, extensions});
+    }
+
+    #extensions(name: string): Extension {
+        return [
+            lineNumbers(), this.#history(), drawSelection(), bracketMatching(), EditorView.lineWrapping, highlightActiveLine(), highlightActiveLineGutter(),
+            lintGutter(), indentUnit.of('    '), search({top: true}), numbers, keymap.of([...searchKeymap, ...defaultKeymap, ...historyKeymap]), theme,
+            this.#completion.of(this.#completionOf(name)),
+            this.#language.of(languageOf(name)),
+            EditorView.contentAttributes.of({'aria-label': 'Scene text', tabindex: '0', spellcheck: 'false', autocapitalize: 'off'}),
+            // Chromium types over several lines by way of elements with styles, which the Content-Security-Policy reports.
+            EditorView.domEventHandlers({
+                beforeinput({inputType, data}, view) {
+                    if (inputType !== 'insertText' || data === null || view.state.selection.main.empty || view.composing) return false;
+                    view.dispatch(view.state.replaceSelection(data), {userEvent: 'input.type', scrollIntoView: true});
+                    return true;
+                },
+            }),
+            EditorView.clipboardInputFilter.of((pasted) => withShortLines(this.events.documentState().name, pasted)),
+            EditorState.changeFilter.of(({changes, newDoc}) => {
+                let isTooLong = false;
+                changes.iterChangedRanges((_from, _to, from, to) => {
+                    for (const lines = newDoc.iterLines(newDoc.lineAt(from).number, newDoc.lineAt(to).number + 1); !lines.next().done;)
+                        isTooLong ||= lines.value.length > longestLine;
+                });
+                if (isTooLong) this.events.refused();
+                return !isTooLong;
+            }),
+            invertedEffects.of((transaction) =>
+                transaction.effects.some((one) => one.is(documentStateChanged)) ? [documentStateChanged.of(this.events.documentState())] : []),
+            EditorView.updateListener.of((update) => {
+                if (update.docChanged) {
+                    this.#places.changed(update.changes.desc, update.state.doc);
+                    this.#changedAt = performance.now();
+                }
+                const documentState = update.transactions.flatMap((one) => one.effects).findLast((one) => one.is(documentStateChanged))?.value;
+                if (update.docChanged || documentState) this.#tell(documentState ?? null);
+            }),
+        ];
     }
 
     #history() {
@@ -160,11 +169,16 @@ export class Editor {
         this.events.changed(state.doc.toString(), documentState, undoDepth(state) > 0, redoDepth(state) > 0);
     }
 
-    /** Sets the first scene; it cannot be undone. */
-    begin(text: string, name: string) {
-        this.#view.setState(this.#state(text, name));
+    /** Sets the first scene; it cannot be undone. `kept`: what undo had before a reload. */
+    begin(text: string, name: string, kept?: KeptHistory) {
+        this.#view.setState(this.#state(text, name, kept));
         this.#places.restart(this.#view.state.doc);
         this.#tell(null);
+    }
+
+    /** What undo and redo take back, to be kept. */
+    get kept(): KeptHistory {
+        return keptHistory(this.#view.state, documentStateChanged, parts);
     }
 
     /** The version of the text, for wasRead(). */

@@ -197,7 +197,7 @@ export function SpaceView() {
                 ))}
             </div>
             {isMany && <p class="note">{shapeCount().toLocaleString('en')} shapes: shown in less detail, and what is dragged moves when it is released.</p>}
-            <p class="note hint">Drag to turn, with Shift or two fingers to shift. Click a shape, then drag its handle; lights have theirs.</p>
+            <p class="note hint">Drag to turn (with two fingers on a touch screen), with Shift to shift. Click a shape, then drag its handle; lights have theirs.</p>
         </>
     );
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mouse, touch, wheel and keys turn, shift and zoom the view in space.
+// Mouse, touch, wheel and keys turn, shift and zoom the view in space. One finger scrolls the page; two turn and zoom the view.
 import {useEffect, useRef} from 'preact/hooks';
 
 import {turn} from '../store/space';
@@ -31,8 +31,16 @@ export function useGestures(body: {current: HTMLDivElement | null}, clicked: (x:
             event.preventDefault();
             zoomBy(1.1 ** -inside(event.deltaY / (event.deltaMode === 0 ? 100 : 3), -5, 5));
         };
+        // Two fingers are no scrolling, which `touch-action: pan-y` allows.
+        const touched = (event: TouchEvent) => {
+            if (event.touches.length > 1) event.preventDefault();
+        };
         element.addEventListener('wheel', wheel, {passive: false});
-        return () => element.removeEventListener('wheel', wheel);
+        element.addEventListener('touchmove', touched, {passive: false});
+        return () => {
+            element.removeEventListener('wheel', wheel);
+            element.removeEventListener('touchmove', touched);
+        };
     }, []);
     const up = (event: PointerEvent) => {
         down.current.delete(event.pointerId);
@@ -54,7 +62,9 @@ export function useGestures(body: {current: HTMLDivElement | null}, clicked: (x:
             if (other) {
                 const span = (p: {x: number; y: number}) => Math.max(8, Math.hypot(p.x - other.x, p.y - other.y));
                 zoomBy(span({x: event.clientX, y: event.clientY}) / span(from));
-                panBy((0.5 * x) / box.width, (-0.5 * y) / box.height);
+                turnBy(-x / 240, -y / 240);  // both fingers move
+            } else if (event.pointerType === 'touch') {
+                return;
             } else if (event.shiftKey || event.buttons & 6) {
                 panBy(x / box.width, -y / box.height);
             } else {

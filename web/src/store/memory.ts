@@ -4,11 +4,12 @@
 import {effect, signal} from '@preact/signals';
 
 import {gallery, parts} from '../gallery';
+import type {KeptHistory} from '../editor/kept_history';
 import type {StoredScene} from '../share';
 import {keepLarge, largeOf} from './large';
 import {pixelToKeep} from './pixels';
 import {
-    type Tab, comparison, documentId, fileName, includes, notice, overrides, pinned, sceneName, step, tab, text,
+    type Tab, comparison, documentId, fileName, includes, notice, overrides, pinned, sceneName, services, step, tab, text,
 } from './state';
 
 interface KeptPage extends StoredScene {
@@ -17,6 +18,9 @@ interface KeptPage extends StoredScene {
     step?: number | undefined;
     /** The address's fragment then: another one is another scene. */
     hash: string;
+    /** The scene's number, and what undo takes back. */
+    id?: number | undefined;
+    undo?: KeptHistory | undefined;
 }
 
 /** The largest text that storage holds, in characters; larger ones are in IndexedDB (large.ts). */
@@ -123,7 +127,7 @@ export function keepPage() {
     const keep = async () => {
         clearTimeout(timer);
         timer = 0;
-        const page: KeptPage = {...presentScene(), tab: tab.value, pixel: pixelToKeep(), step: step.value ?? undefined, hash: location.hash};
+        const page: KeptPage = {...presentScene(), tab: tab.value, pixel: pixelToKeep(), step: step.value ?? undefined, hash: location.hash, id: documentId.value, undo: services.editor?.kept};
         if (sizeOf(page) <= largest && write('sessionStorage', pageKey, page)) {
             write('localStorage', pageKey, page);
         } else if (await keepLarge(large, page)) {

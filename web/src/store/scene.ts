@@ -4,6 +4,7 @@ import {batch} from '@preact/signals';
 import type {OpenRequest} from 'glint-wasm';
 
 import type {DocumentState} from '../editor/editor';
+import {type KeptHistory, lastIdOf} from '../editor/kept_history';
 import {type GalleryScene, gallery, parts} from '../gallery';
 import {type Shared, type SharedChallenge, type StoredScene, fromFragment, toFragment} from '../share';
 import {longestLine, tooLongLine, withShortLines} from '../text/long_lines';
@@ -94,8 +95,8 @@ export function chooseScene(name: string) {
     page.editor?.setDocumentState({...currentDocumentState(), id: newId(), scene: name});
 }
 
-/** Opens a scene in place of the previous one, which undo restores; fresh: which only Back restores. */
-export function openScene(given: StoredScene, fresh = false) {
+/** Opens a scene in place of the previous one, which undo restores; fresh: which only Back restores. `kept`: its number and what undo takes back. */
+export function openScene(given: StoredScene, fresh = false, kept?: {id?: number | undefined; undo?: KeptHistory | undefined}) {
     const scene = {...given, text: withShortLines(given.name, given.text)};
     const tooLong = tooLongLine(scene.text);
     if (tooLong > 0) {
@@ -104,7 +105,7 @@ export function openScene(given: StoredScene, fresh = false) {
     }
     if (fileName.value !== '' && !embedded) remember(presentScene());
     const documentState: DocumentState = {
-        id: newId(), name: scene.name, scene: scene.scene, overrides: scene.overrides ?? {},
+        id: kept?.id ?? newId(), name: scene.name, scene: scene.scene, overrides: scene.overrides ?? {},
         includes: scene.includes ?? parts,
     };
     isFirstVisit.value = false;
@@ -122,7 +123,7 @@ export function openScene(given: StoredScene, fresh = false) {
         take(documentState);
         forgetLights();
         text.value = scene.text;
-        page.editor?.begin(scene.text, scene.name);
+        page.editor?.begin(scene.text, scene.name, kept?.undo);
         render();
     }
     if (scene.text !== given.text)
@@ -136,7 +137,8 @@ export function openGalleryScene(scene: GalleryScene) {
     setAddress({what: 'scene', name: galleryName(scene)});
 }
 
-const bookScene = () => gallery.find((scene) => scene.name === 'cgfs/three_mirrors.cgfs')!;
+/** The first scene. */
+export const bookScene = () => gallery.find((scene) => scene.name === 'cgfs/three_mirrors.cgfs')!;
 
 export const openBookScene = () => openScene(bookScene());
 
@@ -146,7 +148,8 @@ export async function openFirst(): Promise<boolean> {
     const {hash} = location;
     if (kept && (hash === '' || hash === kept.hash) && tooLongLine(kept.text) === 0) {
         tab.value = kept.tab;
-        openScene(kept);
+        lastId = Math.max(kept.id ?? 0, kept.undo ? lastIdOf(kept.undo) : 0);
+        openScene(kept, false, kept);
         if (kept.pixel) pinLater(kept.pixel, kept.step ?? null);
         if (hash !== '') await resumeChallenge(hash);
         return true;

@@ -8,6 +8,7 @@ import {isLarge} from '../store/space';
 import {services, pinned, tab} from '../store/state';
 import {stepBy} from '../store/stepping';
 import {layout} from '../store/layout';
+import {goToPart, keepFocus} from './keep_focus';
 import {canvases} from './pictures';
 import {Compare} from './Compare';
 import {Controls} from './Controls';
@@ -37,6 +38,11 @@ function isTyping(event: KeyboardEvent): boolean {
 function useKeys() {
     useEffect(() => {
         const pressed = (event: KeyboardEvent) => {
+            if (event.key === 'F6') {
+                event.preventDefault();
+                goToPart(event.shiftKey ? -1 : 1);
+                return;
+            }
             if (isTyping(event) || event.defaultPrevented) return;
             const command = event.ctrlKey || event.metaKey;
             if (command && event.key.toLowerCase() === 'z') {
@@ -111,6 +117,7 @@ function Tabs() {
 export function App() {
     useKeys();
     useDrop();
+    useEffect(keepFocus, []);
     const panel = (name: string) => ({
         id: `panel-${name}`, role: 'tabpanel' as const, 'aria-labelledby': `tab-${name}`, class: 'panel',
         hidden: tab.value !== name,

@@ -7,7 +7,7 @@ import {savePicture, saveScene} from '../files';
 import {gallery} from '../gallery';
 import {presentScene, recent, recentScene} from '../store/memory';
 import {keepForBack, setAddress} from '../store/address';
-import {link, openGalleryScene, openScene} from '../store/scene';
+import {bookScene, link, openGalleryScene, openScene} from '../store/scene';
 import {fileName, history, info, services, notice, sceneName, text} from '../store/state';
 import {FileButton} from './fields';
 import {Help} from './Help';
@@ -174,7 +174,10 @@ export function Header() {
     const isNarrow = useNarrow();
     return (
         <header class="header">
-            <h1 class="brand"><a href="#scene=cgfs/three_mirrors.cgfs" title="The first scene" aria-label="glint"><img src="./icon.svg" alt="" width={22} height={22} />{!isNarrow && 'glint'}</a></h1>
+            <h1 class="brand"><a href="#scene=cgfs/three_mirrors.cgfs" title="The first scene: the book’s" aria-label="glint: the book’s scene" onClick={(event) => {
+                event.preventDefault();  // the address may be this one already
+                openGalleryScene(bookScene());
+            }}><img src="./icon.svg" alt="" width={22} height={22} />{!isNarrow && 'glint'}</a></h1>
             <SceneMenu />
             <span class="file-name" title={fileName.value}>{fileName.value.split('/').at(-1)}{sceneName.value ? `: ${sceneName.value}` : ''}</span>
             <div class="group" role="group" aria-label="History">

@@ -61,7 +61,10 @@ function StepOf({of, one, number}: {of: Lesson; one: Step; number: number}) {
                     <p class={`step-state${isDone ? ' done' : ''}`} role="status">{isDone ? 'Done.' : `Not done${wasDone ? ' in this picture' : ' yet'}${verdict.value ? `: ${verdict.value.missing}` : '.'}`}</p>
                     <div class="presets">
                         {number + 1 < of.steps.length
-                            ? <button class="button" aria-pressed={isDone} onClick={() => goToStep(number + 1)}>Next step</button>
+                            ? <button class="button" aria-pressed={isDone} onClick={() => {
+                                goToStep(number + 1);
+                                requestAnimationFrame(() => document.querySelector<HTMLElement>('.step[aria-current] .link')?.focus());
+                            }}>Next step</button>
                             : <button class="button" aria-pressed={isDone} onClick={() => nextLesson(of)}>Next lesson</button>}
                         <button class="button" onClick={() => openScene(one.scene ?? of.scene)}>Begin again</button>
                     </div>

@@ -37,8 +37,9 @@ export function Space() {
         <section class="space" aria-label="View in space">
             <div class="space-head">
                 {isLarge.value ? <h2>In space</h2> : <h3>In space</h3>}
-                <button class="button" onClick={() => {
+                <button class="button space-size" onClick={() => {
                     isLarge.value = !isLarge.value;
+                    requestAnimationFrame(() => document.querySelector<HTMLElement>('.space-size')?.focus());
                 }}>{isLarge.value ? 'Back to the picture' : 'Large'}</button>
                 <button class="quiet" aria-label="Zoom in" title="Zoom in (+)" onClick={() => set({zoom: Math.min(50, 1.2 * zoom)})}>+</button>
                 <button class="quiet" aria-label="Zoom out" title="Zoom out (-)" onClick={() => set({zoom: Math.max(0.1, zoom / 1.2)})}>−</button>
@@ -62,5 +63,6 @@ export function SpaceInPanel() {
     if (isOpen.value) return <Space />;
     return <div><button class="button" onClick={() => {
         isOpen.value = true;
+        requestAnimationFrame(() => document.querySelector<HTMLElement>('.space-size')?.focus());
     }}>Show the scene in space</button></div>;
 }

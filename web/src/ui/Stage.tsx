@@ -96,7 +96,7 @@ function OwnPixel({at: [x, y]}: {at: readonly [number, number]}) {
 
 function PixelLine() {
     const explanation = hovered.value ?? pinned.value;
-    if (!explanation) return <p class="pixel-line" aria-live="polite">Point at the picture; click a pixel to take it apart; drag to turn the camera, with Shift to shift it.</p>;
+    if (!explanation) return <p class="pixel-line how" aria-live="polite">Point at the picture; click a pixel to take it apart; drag to turn the camera, with Shift to shift it.</p>;
     const hit = explanation.rays[0]?.hit;
     return (
         <p class="pixel-line" aria-live="polite">
@@ -137,6 +137,7 @@ function Status() {
             <div class="figures-line">
                 <progress value={state.value === 'done' ? 1 : state.value === 'error' ? 0 : fraction} max={1} aria-label="Progress of the picture" />
                 <span class="mono words" data-state={state.value} title={words}>{words}</span>
+                <span class="for-readers" role="status" aria-label="Explanation">{pinned.value && `Pixel ${pinned.value.pixel.join(', ')}: ${sentence(pinned.value)}`}</span>
                 <span class="for-readers" role="status">{{starting: '', rendering: '', done: 'Rendered', error: 'Not rendered'}[state.value]}</span>
                 <CameraButtons />
             </div>
@@ -185,7 +186,7 @@ export function Stage() {
             <Splitter side="right" />
             <div class={`stage-area${layout.value.zoom === 'whole' ? ' whole' : ''}`} ref={area}>
                 <div
-                    ref={frame} class={`frame${shown.enlarged ? ' enlarged' : ''}${isPictureOfScene.value ? '' : state.value === 'error' ? ' without' : ' before'}`} tabIndex={0} role="application"
+                    ref={frame} class={`frame${shown.enlarged ? ' enlarged' : ''}${isPictureOfScene.value ? '' : state.value === 'error' ? ' without' : ' before'}`} tabIndex={0} role="application" data-focus
                     aria-label="Picture. Arrow keys point at a pixel, Enter explains it, S saves."
                     style={{width: `${shown.width}px`, height: `${shown.height}px`}} onKeyDown={keyPressed} {...pointers}
                 >
