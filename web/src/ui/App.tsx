@@ -5,7 +5,9 @@ import {savePicture} from '../files';
 import {droppedFiles} from '../given_files';
 import {openFiles} from '../store/opening';
 import {isLarge} from '../store/space';
-import {services, pinned, tab} from '../store/state';
+import {challenge, lesson} from '../store/learning';
+import {isProjected, project} from '../store/projector';
+import {type Tab, services, pinned, tab} from '../store/state';
 import {stepBy} from '../store/stepping';
 import {layout} from '../store/layout';
 import {goToPart, keepFocus} from './keep_focus';
@@ -26,6 +28,9 @@ const tabs = [
     ['inspect', 'Inspect'],
     ['compare', 'Compare'],
 ] as const;
+
+/** Whether a panel is shown: the chosen one; on a projector the task and the explanation. */
+const isShown = (name: Tab) => (isProjected.value ? name === 'learn' || name === 'inspect' : tab.value === name);
 
 /** True if keys are text input. */
 function isTyping(event: KeyboardEvent): boolean {
@@ -54,7 +59,9 @@ function useKeys() {
                 }
             } else if (event.key === 's' && !command && !event.altKey) {
                 savePicture(canvases.first);
-            } else if ((event.key === 'n' || event.key === 'p') && !command && !event.altKey && pinned.value && tab.value === 'inspect') {
+            } else if (event.key === 'l' && !command && !event.altKey) {
+                project(!isProjected.value);
+            } else if ((event.key === 'n' || event.key === 'p') && !command && !event.altKey && pinned.value && isShown('inspect')) {
                 stepBy(event.key === 'n' ? 1 : -1);
             } else if (event.key === 'Escape' && !document.querySelector('dialog[open]')) {
                 if (isLarge.value) {
@@ -118,12 +125,13 @@ export function App() {
     useKeys();
     useDrop();
     useEffect(keepFocus, []);
-    const panel = (name: string) => ({
+    const isTask = isProjected.value && (lesson.value !== null || challenge.value !== null);
+    const panel = (name: Tab) => ({
         id: `panel-${name}`, role: 'tabpanel' as const, 'aria-labelledby': `tab-${name}`, class: 'panel',
-        hidden: tab.value !== name,
+        hidden: name === 'learn' && isProjected.value ? !isTask : !isShown(name),
     });
     return (
-        <div class="shell" data-tab={tab.value}>
+        <div class={`shell${isProjected.value ? ' projector' : ''}${isTask ? ' with-task' : ''}`} data-tab={tab.value}>
             <Header />
             <Welcome />
             <main class="columns" style={{'--left': `${layout.value.left}%`, '--right': `${layout.value.right}%`}}>
@@ -131,9 +139,9 @@ export function App() {
                 <Stage />
                 <section class="side" aria-label="Panels">
                     <Tabs />
-                    <div {...panel('learn')}>{tab.value === 'learn' && <Learn />}</div>
+                    <div {...panel('learn')}>{isShown('learn') && <Learn />}</div>
                     <div {...panel('controls')}><Controls /></div>
-                    <div {...panel('inspect')}>{tab.value === 'inspect' && <Inspector />}</div>
+                    <div {...panel('inspect')}>{isShown('inspect') && <Inspector />}</div>
                     <div {...panel('compare')}><Compare /></div>
                 </section>
             </main>

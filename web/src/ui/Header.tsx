@@ -5,13 +5,15 @@ import {useEffect, useRef} from 'preact/hooks';
 import {commandLine} from '../command';
 import {savePicture, saveScene} from '../files';
 import {gallery} from '../gallery';
+import {isProjected, project} from '../store/projector';
 import {presentScene, recent, recentScene} from '../store/memory';
 import {keepForBack, setAddress} from '../store/address';
-import {bookScene, link, openGalleryScene, openScene} from '../store/scene';
+import {bookScene, openGalleryScene, openScene} from '../store/scene';
 import {fileName, history, info, services, notice, sceneName, text} from '../store/state';
 import {FileButton} from './fields';
 import {Help} from './Help';
 import {canvases} from './pictures';
+import {ShareButtons, ShareDialog, copy} from './Share';
 
 const families: [string, string][] = [
     ['cgfs', 'Computer Graphics from Scratch'],
@@ -92,32 +94,20 @@ function Recent({done}: {done: () => void}) {
     );
 }
 
-/** False if the browser does not allow it. */
-async function copy(words: string): Promise<boolean> {
-    try {
-        await navigator.clipboard.writeText(words);
-        return true;
-    } catch {
-        return false;
-    }
-}
-
-/** Characters of a link that mail programs and learning platforms keep. */
-const longLink = 8000;
-
-async function share() {
-    const address = await link();
-    globalThis.history.replaceState(null, '', address);
-    const long = address.length > longLink ? ` It has ${address.length} characters: some programs cut links of that length off; Save scene makes a file instead.` : '';
-    notice.value = (await copy(address) ? 'The link is copied. It contains the scene and its settings. Nothing was sent.'
-        : 'The link is in the address bar. It contains the scene and its settings.') + long;
-}
-
 async function copyCommand() {
     const line = commandLine(presentScene());
     const others = info.value?.files.slice(1).map((file) => file.split('/').at(-1)!) ?? [];
     const needs = others.length > 0 ? `, beside ${others.join(', ')}` : '';
     notice.value = `${await copy(line) ? 'Copied: ' : ''}${line} — in the folder of the saved scene${needs}, this renders the same pixels.`;
+}
+
+function Projector() {
+    const now = isProjected.value;
+    return (
+        <button class="quiet" aria-pressed={now} aria-label="For a projector" title="For a projector: task, picture and explanation side by side, in large type (l)" onClick={() => project(!now)}>
+            <svg class="icon" viewBox="0 0 14 14" aria-hidden="true"><path d="M1 2h12v7H1zM7 9v2M4 13l3-2 3 2" /></svg>
+        </button>
+    );
 }
 
 function Theme() {
@@ -149,7 +139,7 @@ function useNarrow(): boolean {
 function SaveButtons() {
     return (
         <div class="group" role="group" aria-label="Save">
-            <button class="button" onClick={() => void share()}>Share link</button>
+            <ShareButtons />
             <button class="button" title="Copy the line of the glint command that renders this picture" onClick={() => void copyCommand()}>Copy as command</button>
             <button class="button" title="Save the picture (s)" onClick={() => savePicture(canvases.first)}>Save PNG</button>
             <button class="button" onClick={() => saveScene(text.value)}>Save scene</button>
@@ -187,7 +177,8 @@ export function Header() {
                         onClick={() => services.editor?.redo()}>↷</button>
             </div>
             <div class="spacer" />
-            {isNarrow ? <><Help /><More /></> : <><SaveButtons /><Help /><Theme /></>}
+            <ShareDialog />
+            {isNarrow ? <><Help /><More /></> : <><SaveButtons /><Help /><Projector /><Theme /></>}
         </header>
     );
 }
