@@ -13,8 +13,9 @@ import {sceneDistance} from '../ui/gestures';
 import {canvases} from '../ui/pictures';
 import {segments, stepClass} from '../ui/RayLines';
 import {css, itemName, lightName} from '../ui/words';
-import {type Frame, type Region, type Turn, frameOf, seenAt, regionOf} from './frame';
+import {type Frame, type Region, type Turn, frameOf, regionOf, seenAt, startTurn} from './frame';
 import {type Handle, HandleButton} from './handles';
+import {type Box, lineHeight, placeLabels} from './labels';
 import {frustum, partsOf} from './lines';
 import {type Depths, SpacePicture, viewSettings} from './picture';
 import {useGestures} from './turning';
@@ -54,20 +55,23 @@ function handlesOf(chosen: Handle | null): Handle[] {
     return [...lights.slice(0, 100), ...(own ? [own] : []), ...(chosen ? [chosen] : [])];
 }
 
-/** In a closed room, cuts more of the scene away while most of the points are hidden; until the user does. */
+/** From how high a closed room is looked into: its walls then hide little of it. */
+const intoRoom = 0.22;
+
+/** In a closed room, looks in from above, and cuts more of the scene away while most of the points are hidden; until the user does. */
 function useUncovered(region: Region, depths: Depths | null, frame: Frame) {
     const own = useRef<{region: Region; cut: number}>({region, cut: 0});
     useEffect(() => {
         const {cut} = turn.value;
         if (own.current.region !== region && cut === own.current.cut) {
             own.current = {region, cut: 0};
-            if (cut !== 0) turn.value = {...turn.value, cut: 0};
+            if (cut !== 0) turn.value = {...turn.value, cut: 0, tilt: turn.value.tilt === intoRoom ? startTurn.tilt : turn.value.tilt};
         }
         if (!depths || depths.frame !== frame || cut !== own.current.cut || cut >= 1) return;
         const hidden = region.points.filter((point) => partsOf(frame, depths, point, point, 0.02 * region.radius)[0]!.hidden).length;
         if (hidden <= region.points.length / 2) return;
         own.current = {region, cut: Math.min(1, cut + 0.35)};
-        turn.value = {...turn.value, cut: own.current.cut};
+        turn.value = {...turn.value, cut: own.current.cut, tilt: turn.value.tilt === startTurn.tilt ? intoRoom : turn.value.tilt};
     }, [region, depths]);
 }
 
@@ -155,11 +159,19 @@ export function SpaceView() {
     const slack = 0.012 * region.radius;
     const x = (fraction: number) => (fraction * width).toFixed(1), y = (fraction: number) => (fraction * height).toFixed(1);
     const line = (className: string, a: Vec3, b: Vec3, key: string) => partsOf(frame, depths.value, a, b, slack).map((part, i) => (
-        <line key={`${key} ${i}`} class={`${className}${part.hidden ? ' hidden' : ''}`} x1={x(part.x1)} y1={y(part.y1)} x2={x(part.x2)} y2={y(part.y2)} />
+        <line key={`${key} ${i}`} class={`${className}${part.hidden ? ' hidden' : ''}`} x1={x(part.x1)} y1={y(part.y1)} x2={x(part.x2)} y2={y(part.y2)}
+              pathLength={className.endsWith(' now') && !part.hidden ? 1 : undefined} style={{'--from': part.from, '--part': part.to - part.from}} />
     ));
     const rays = explanation ? segments(explanation).slice(0, 400) : [];
     const now = explanation?.rays[selected.value.ray]?.hit;
-    const blockers = now?.lights.flatMap(({blocker, light}) => (blocker ? [{...seenAt(frame, blocker.point), words: `${itemName(blocker.shape)} blocks ${lightName(light)}`}] : [])) ?? [];
+    const blockers = now?.lights.slice(0, 64).flatMap(({blocker, light}) => {
+        if (!blocker) return [];
+        const at = seenAt(frame, blocker.point);
+        return [{x: at.x * width, y: at.y * height, lines: [itemName(blocker.shape), `blocks ${lightName(light)}`]}];
+    }) ?? [];
+    const handles = handlesOf(chosen.value);
+    const handleBoxes = handles.map(({point}) => seenAt(frame, point)).map((at): Box => ({x: at.x * width - 13, y: at.y * height - 13, width: 26, height: 26}));
+    const labels = placeLabels(blockers, {width, height}, [...handleBoxes, {x: 0, y: height - 72, width: 72, height: 72}]);
     const axes = ([[1, 0, 0], [0, 1, 0], [0, 0, 1]] as Vec3[]).map((axis) => {
         const tip = seenAt(frame, add(add(frame.position, frame.forward), axis, (0.07 * length(frame.right)) / Math.max(1, width / 400)));
         return {x: 34 + (tip.x - 0.5) * width, y: height - 34 + (tip.y - 0.5) * height};
@@ -178,8 +190,10 @@ export function SpaceView() {
                         {rays.map((one, i) => line(`ray ${one.kind}${stepClass(one)}`, one.from, one.to, `ray ${i}`))}
                         {blockers.map((one, i) => (
                             <g key={i} class="blocker">
-                                <circle cx={x(one.x)} cy={y(one.y)} r="6" />
-                                <text x={x(one.x)} y={y(one.y)} dx={one.x > 0.5 ? -10 : 10} dy={14 * i + 4} text-anchor={one.x > 0.5 ? 'end' : 'start'}>{one.words}</text>
+                                <circle cx={one.x.toFixed(1)} cy={one.y.toFixed(1)} r="6" />
+                                {labels[i] && <text>{one.lines.map((words, k) => (
+                                    <tspan key={k} x={labels[i]!.x.toFixed(1)} y={(labels[i]!.y + lineHeight * (k + 0.8)).toFixed(1)}>{words}</tspan>
+                                ))}</text>}
                             </g>
                         ))}
                         {axes.map((tip, i) => (
@@ -190,7 +204,7 @@ export function SpaceView() {
                         ))}
                     </svg>
                 </div>
-                {handlesOf(chosen.value).map((handle) => (
+                {handles.map((handle) => (
                     <HandleButton key={handle.id} handle={handle} frame={frame} moved={(by) => {
                         if (chosen.value?.id === handle.id) chosen.value = {...handle, point: add(handle.point, by)};
                     }} />

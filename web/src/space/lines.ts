@@ -13,6 +13,9 @@ export interface Part {
     x2: number;
     y2: number;
     hidden: boolean;
+    /** Where on the line it begins and ends: 0 to 1. */
+    from: number;
+    to: number;
 }
 
 /** A line from a to b, divided where it goes behind a surface. `slack`: what may be in front of it. */
@@ -27,7 +30,7 @@ export function partsOf(frame: Frame, depths: Depths | null, a: Vec3, b: Vec3, s
     };
     const part = (s: number, t: number, hidden: boolean): Part => {
         const p = at(s), q = at(t);
-        return {x1: p.x, y1: p.y, x2: q.x, y2: q.y, hidden};
+        return {x1: p.x, y1: p.y, x2: q.x, y2: q.y, hidden, from: s, to: t};
     };
     if (!depths || depths.frame !== frame) return [part(0, 1, false)];
     const count = Math.max(1, Math.min(300, Math.ceil(Math.hypot((to.x - from.x) * depths.width, (to.y - from.y) * depths.height) / 3)));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Steps through the rays of the pinned pixel, in the order of the tree, while their sum grows.
-import {batch, computed} from '@preact/signals';
+import {batch, computed, signal} from '@preact/signals';
 import type {Explanation, ExplainedRay, Vec3} from 'glint-wasm';
 
 import {strongestLight} from './pixels';
@@ -50,6 +50,16 @@ export function goTo(next: number | null) {
         const ray = order[step.value ?? 0]!;
         selected.value = {ray, light: strongestLight(explanation, ray)};
     });
+}
+
+/** The rays are shown one after the other, each for a while. */
+export const isPlaying = signal(false);
+
+/** Begins with the first ray, or goes on from the present one; or stops. */
+export function play(on: boolean) {
+    const now = steps.value;
+    if (on && now && (now.at === null || now.at + 1 >= now.order.length)) goTo(0);
+    isPlaying.value = on && now !== null;
 }
 
 /** The next ray, or the one before; from all rays to the first or the last. */

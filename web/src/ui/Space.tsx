@@ -7,6 +7,7 @@ import {useEffect} from 'preact/hooks';
 import {isLarge, isOpen, turn} from '../store/space';
 import {info, isPictureOfScene} from '../store/state';
 import {startTurn} from '../space/frame';
+import {StepButtons} from './StepButtons';
 
 const loaded: Signal<ComponentType | null> = signal(null);
 
@@ -49,6 +50,7 @@ export function Space() {
                 }}>✕</button>
             </div>
             <Content />
+            <StepButtons />
             <label class="cut">Cut away <input type="range" min={-1} max={1} step={0.05} value={cut} onInput={(event) => set({cut: event.currentTarget.valueAsNumber})} /></label>
             <p class="legend">
                 {legend.map(([kind, words]) => <span key={kind}><span class={`ray-key ${kind}`} /> {words}</span>)}
