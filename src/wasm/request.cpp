@@ -9,6 +9,7 @@
 
 #include "formats/load_validated.h"
 #include "formats/povray/standard_includes.h"
+#include "formats/profile_file.h"
 
 namespace glint::wasm {
 namespace {
@@ -118,11 +119,9 @@ std::string apply(const json& request, Scene& scene) {
     const json& settings = member(request, "settings");
     if (settings.is_object()) {
         for (const auto& [key, value] : settings.items()) {
-            const auto index = find_setting(key);
-            if (!index) return "there is no setting '" + key + "'";
-            const std::string wrong =
-                set_setting(scene, *index, text_of(value), {SettingOrigin::Kind::command, {}}).message;
-            if (!wrong.empty()) return key + ": " + wrong;
+            std::string wrong =
+                set_named_setting(scene, key, text_of(value), {SettingOrigin::Kind::command, {}});
+            if (!wrong.empty()) return wrong;
         }
     }
     const json& camera = member(request, "camera");

@@ -352,6 +352,16 @@ sphere { 0, 1 pigment { Red } }
     own.close();
 });
 
+test('a setting that is none has the same message, with the likeliest one, when a scene is opened and when it is prepared', () => {
+    const words = 'no setting is called \'shadin\'; did you mean `shading`?';
+    const opened = glint.open({...request(['cgfs/three_mirrors.cgfs'], {shadin: 'phong'})});
+    assert.equal(opened.report.diagnostics[0].message, words);
+    opened.close();
+    const {scene} = open(['cgfs/three_mirrors.cgfs'], {});
+    assert.throws(() => scene.prepare({settings: {shadin: 'phong'}}), {message: words});
+    scene.close();
+});
+
 test('the report is that of the last request', () => {
     const {scene} = open(...tiled);
     assert.throws(() => scene.render(0, 0, 500, 1), /./);

@@ -44,7 +44,7 @@ export async function withPage(use, {width = 1440, height = 900, scheme = 'light
     page.on('pageerror', (error) => complaints.push(error.message));
     page.on('console', (message) => {
         // Messages that the tests themselves cause.
-        const ours = /Service Worker registration blocked|willReadFrequently/.test(message.text());
+        const ours = /Service Worker registration blocked/.test(message.text());
         if (['error', 'warning'].includes(message.type()) && !ours) complaints.push(message.text());
     });
     try {

@@ -77,6 +77,7 @@ test('messages: only of the named origin and of the right form; mistakes are tol
                    {glint: 'set', name: 'aa', value: 3}, {glint: 'run', text: 'alert(1)'}];
     for (const message of [...wrong, 'open', null, {other: 1}]) await post(message);
     await page.waitForFunction((n) => globalThis.messages.filter(({glint}) => glint === 'refused').length === n, wrong.length);
+    assert.match((await messages('refused'))[2].why, /^set: no setting is called nothing; they are .*shading, /);
     // A name and a text are shown as they are.
     const name = `<img src=x onerror="parent.postMessage({glint: 'run'}, '*')">.cgfs`;
     await post({glint: 'open', scene: {name, text: '<script>parent.postMessage({glint: "run"}, "*")</script>'}});

@@ -28,8 +28,12 @@ function answer(message: Record<string, unknown>) {
         }
     } else if (message['glint'] === 'set') {
         const {name, value} = message;
-        if (typeof name !== 'string' || typeof value !== 'string' || value.length > 200 || !settingOf(name)) {
+        if (typeof name !== 'string' || typeof value !== 'string' || value.length > 200) {
             send({glint: 'refused', why: 'set: expected the name of a setting and its value, both as texts'});
+        } else if (!info.value) {
+            send({glint: 'refused', why: 'set: there is no scene yet; wait for the message ready'});
+        } else if (!settingOf(name)) {
+            send({glint: 'refused', why: `set: no setting is called ${name.slice(0, 60)}; they are ${info.value.settings.map((one) => one.name).join(', ')}`});
         } else {
             setSetting(name, value);
         }

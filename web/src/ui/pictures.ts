@@ -40,7 +40,7 @@ function keep(canvas: HTMLCanvasElement, tile: ImageData, to: Rect) {
 
 /** Draws tiles and coarse pictures on a canvas. */
 export function painter(canvas: HTMLCanvasElement, resized?: (width: number, height: number) => void, isPainted?: (content: ViewContent) => void) {
-    const context = canvas.getContext('2d')!;
+    const context = canvas.getContext('2d', {willReadFrequently: true})!;  // pixels are saved and compared
     let next: {width: number; height: number} | null = null;
     const coarse = document.createElement('canvas');
     return {
