@@ -70,6 +70,27 @@ const views = [
         await page.locator('[data-challenge="case_01"]').click();
         await page.waitForFunction(() => /differ/.test(document.querySelector('.difference')?.textContent));
     }],
+    ['on a projector', async (page) => {
+        if (page.viewportSize().width < 1012) return;  // phones have no button for it
+        await page.getByRole('button', {name: 'For a projector'}).click();
+        await page.locator('.shell.projector.with-task').waitFor();
+    }],
+    ['Share', async (page) => {
+        if (page.viewportSize().width < 1012) await page.locator('.more summary').click();
+        else await page.getByRole('button', {name: 'For a projector'}).click();
+        await page.getByRole('button', {name: 'Embed…'}).click();
+        await page.getByRole('dialog', {name: 'Share'}).waitFor();
+    }],
+    ['an included text', async (page) => {
+        await page.keyboard.press('Escape');
+        const text = 'include "ball.glint"\nrender { size = 80 x 60 }\ncamera { position = (0, 0, 6)  look_at = (0, 0, 0) }\nlight { position = (4, 4, 4) }\n';
+        await drop(page, {name: 'main.glint', text}, {name: 'ball.glint', text: 'sphere { center = (0, 0, 0)  radius = 2 }\n'});
+        await page.waitForFunction(() => document.querySelector('[title="main.glint"]'));
+        await settled(page);
+        await clickPicture(page, 0.5, 0.5);
+        await page.locator('.pixel-line .link').click();
+        await page.getByRole('textbox', {name: 'Text of ball.glint'}).waitFor();
+    }],
     ['Scenes', async (page) => {
         await page.getByRole('button', {name: 'Scenes', exact: true}).click();
     }],

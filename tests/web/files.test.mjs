@@ -7,7 +7,7 @@ import {tmpdir} from 'node:os';
 import {dirname, join} from 'node:path';
 import {test} from 'node:test';
 
-import {address, clickPicture, drop, native, nativeText, paste, picture, sceneText, scenes, settled, shoot, withPage} from './browser.mjs';
+import {address, choose, clickPicture, drop, native, nativeText, paste, picture, sceneText, scenes, settled, shoot, withPage} from './browser.mjs';
 import {pageModule} from './page_module.mjs';
 
 const {zipSync} = createRequire(new URL('../../web/package.json', import.meta.url))('fflate');
@@ -99,6 +99,12 @@ test('a shape of an included text names that text, which opens and can be change
     await page.getByRole('button', {name: 'Undo'}).click();
     await isColored(0);
     assert.equal(await sceneText(page), text);
+    // Another scene does not have it.
+    await link.click();
+    await area.waitFor();
+    await choose(page, 'cgfs/three_mirrors.cgfs');
+    await area.waitFor({state: 'detached'});
+    await page.locator('.cm-content').waitFor();
 }));
 
 test('one line of JSON of any length is opened, by file and by pasting', () => withPage(async (page) => {

@@ -10,7 +10,9 @@ async function redAndGreen(page) {
     const at = () => page.evaluate(() => {
         const canvas = document.querySelector('.space-frame canvas');
         if (!canvas?.width) return null;
-        const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+        const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', {willReadFrequently: true});
+        copy.drawImage(canvas, 0, 0);
+        const {data} = copy.getImageData(0, 0, canvas.width, canvas.height);
         const sum = [[0, 0], [0, 0]], count = [0, 0];
         for (let i = 0; i < data.length; i += 4) {
             const which = data[i] > 2 * data[i + 1] ? 0 : data[i + 1] > 2 * data[i] ? 1 : -1;
@@ -182,7 +184,9 @@ test('the view is of the scene that is open, and says when it simplifies', () =>
     await page.waitForFunction(() => {
         const canvas = document.querySelector('.space-frame canvas');
         if (!canvas?.width) return false;
-        const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+        const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d', {willReadFrequently: true});
+        copy.drawImage(canvas, 0, 0);
+        const {data} = copy.getImageData(0, 0, canvas.width, canvas.height);
         let yellow = 0;
         for (let i = 0; i < data.length; i += 4) yellow += data[i] > 100 && Math.abs(data[i + 1] - data[i]) < 3 && data[i + 2] < data[i] / 2;
         return yellow > data.length / 32;

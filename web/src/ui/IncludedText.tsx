@@ -12,7 +12,7 @@ const quick = 500;
 export function IncludedText() {
     const area = useRef<HTMLTextAreaElement>(null), changedAt = useRef(-Infinity);
     const {name, line} = opened.value!;
-    const {text} = includes.value.find((one) => one.name === name)!;
+    const text = includes.value.find((one) => one.name === name)?.text ?? '';
     useEffect(() => {
         const {current} = area, lines = text.split('\n');
         const from = lines.slice(0, line - 1).reduce((sum, one) => sum + one.length + 1, 0);
