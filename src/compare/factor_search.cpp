@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "math/elementary.h"
@@ -49,6 +50,28 @@ TriedFactor refine_factor(TriedFactor known, double low, double high, double eno
     }
     if (known.left > enough) try_factor(rounded(known.factor));
     return known;
+}
+
+double factor_of_most(const std::vector<WantedValue>& values, double near) {
+    constexpr double k_half = 0.5 / 255, k_within = 0.01;
+    std::vector<std::pair<double, int>> ends;  // of the factors that give each byte: 1 begins, -1 ends
+    for (const auto& [wanted, part] : values) {
+        if (part == 0) continue;
+        const auto [first, last] = std::minmax({(wanted - k_half) / part, (wanted + k_half) / part});
+        if (last < near * (1 - k_within) || first > near * (1 + k_within)) continue;
+        ends.emplace_back(first, 1);
+        ends.emplace_back(last, -1);
+    }
+    std::sort(ends.begin(), ends.end());
+    std::size_t open = 0, most = values.size() / 2;
+    double best = near;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        open = ends[i].second > 0 ? open + 1 : open - 1;
+        if (open <= most) continue;
+        most = open;
+        best = (ends[i].first + ends[i + 1].first) / 2;
+    }
+    return best;
 }
 
 std::string factor_text(double factor, bool about) {

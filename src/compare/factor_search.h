@@ -4,6 +4,8 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace glint {
 
@@ -20,6 +22,13 @@ using LeftByFactor = std::function<std::optional<double>(double)>;
 /// digits near its result. Ends early if at most `enough` remains.
 TriedFactor refine_factor(TriedFactor known, double low, double high, double enough,
                           const LeftByFactor& left_by);
+
+/// A byte that is wanted, 0 to 1 without what no factor changes, and what a factor of 1 gives.
+using WantedValue = std::pair<double, double>;
+
+/// The factor within 1% of `near` that rounds the most of these values to the bytes that are wanted; `near`
+/// if there is none that does so for half of them.
+double factor_of_most(const std::vector<WantedValue>& values, double near);
 
 /// A factor in words: "half", "twice", "1.5 times", "about 1.37 times".
 std::string factor_text(double factor, bool about);

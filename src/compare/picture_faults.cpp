@@ -9,6 +9,7 @@
 
 #include "compare/byte_curve.h"
 #include "compare/edges.h"
+#include "compare/factor_search.h"
 #include "math/elementary.h"
 
 namespace glint {
@@ -310,7 +311,7 @@ std::optional<double> fit_factor(const std::vector<float>& rest, const PictureVi
         const std::size_t first = row * static_cast<std::size_t>(y);
         for (std::size_t i = first; i < first + row; ++i) count += counts(i);
     }
-    std::vector<std::pair<double, double>> values;  // what is wanted, and what a factor of 1 gives
+    std::vector<WantedValue> values;
     values.reserve(count);
     std::vector<float> buffer(row);
     for (const std::int32_t y : rows) {
@@ -333,6 +334,7 @@ std::optional<double> fit_factor(const std::vector<float>& rest, const PictureVi
         if (!(squares > 0)) return std::nullopt;
         factor = products / squares;
     }
+    factor = factor_of_most(values, factor);
     if (std::fabs(factor - 1) < 0.005 || factor <= 0) return std::nullopt;
     return factor;
 }
