@@ -73,7 +73,7 @@ struct Distance {
     double all = 0;
     double calm = 0;  ///< only away from edges and above k_noise, to ignore samples and rounding
 };
-inline constexpr int k_noise = 2;
+inline constexpr int k_noise = 2, k_rounding = 1;  ///< rounding changes a byte by k_rounding
 Distance distance(const BytePicture& a, const BytePicture& b, const Area& area);
 
 /// Whether these rows are equal.

@@ -9,6 +9,7 @@
 
 #include "base/status.h"
 #include "compare/float_difference.h"
+#include "compare/left_structure.h"
 #include "compare/lines.h"
 #include "compare/picture_causes.h"
 #include "compare/step_agreement.h"
@@ -24,8 +25,8 @@ constexpr double k_same_part = 0.1;
 // sample has not about as much of the difference as the whole, by this factor, it is of rows that differ.
 constexpr std::size_t k_confirmed = 5;
 constexpr double k_fair_sample = 2;
-// Rounding changes a byte by this, quantisation and dithering by at most k_faint.
-constexpr int k_rounding = 1, k_faint = 4;
+// Quantisation and dithering change a byte by at most this.
+constexpr int k_faint = 4;
 // Fewer pixels than this fraction are few: those of ties on edges, for example.
 constexpr double k_few = 0.001;
 // A shift is looked for if a cause that leaves no structure leaves more than this fraction at edges.
@@ -161,6 +162,7 @@ void CauseFinder::render_scene(std::vector<Search>& searches) {
         report.scene_from_b = from_b;
         report.swapped = from_a < near && from_b > near;
         if (report.swapped) search.target = &bytes_;
+        if (report.swapped || from_b < near) search.original = &rendered->bytes;
     }
     if (rendered && !options_.as_floats) take_out_rounding(searches, rendered->bytes);
 }

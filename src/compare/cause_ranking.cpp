@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <set>
 
+#include "compare/left_structure.h"
 #include "compare/step_agreement.h"
 
 namespace glint {
@@ -26,15 +26,7 @@ constexpr double k_min_calm = 0.01;
 // An exact cause explains this much of the whole, or this much of what is away from edges if that is as much
 // as this, and leaves at most these parts of the structured pixels and of the picture.
 constexpr double k_exact = 0.97, k_enough_calm = 0.05;
-constexpr double k_structure_left = 0.03, k_structure_of_picture = 0.0001;
-constexpr int k_group = 5;  // of the 9 pixels around one
-// What is left at edges by another renderer's samples is lines. Of what is left of a small highlight, which
-// is all edges, more than this fraction is in the middle of a blob: so many of the 9 pixels around it are off
-// to the same side. Measured: 0.005 to 0.09 of the pixels off at edges that are sampled 0.2 pixels aside,
-// 0.39 of a highlight.
-constexpr double k_blobs_left = 0.2;
-constexpr int k_blob = 8;
-
+constexpr double k_structure_left = 0.03;
 // Does a candidate of no more freedom explain this much?
 bool explains(const std::vector<CauseCandidate>& list, int freedom, double share) {
     return std::any_of(list.begin(), list.end(), [&](const CauseCandidate& c) {
@@ -72,58 +64,6 @@ std::vector<CauseCandidate> explaining(const Search& search, bool calm) {
     return list;
 }
 
-bool is_off(const std::uint8_t* a, const std::uint8_t* b) {
-    for (int c = 0; c < 3; ++c) {
-        if (std::abs(int{a[c]} - int{b[c]}) > k_noise) return true;
-    }
-    return false;
-}
-
-// Is the pixel one of a group that differs, and not on an edge of `made`?
-bool is_structured(const BytePicture& made, const BytePicture& target, std::int32_t x, std::int32_t y) {
-    int off = 0;
-    for (std::int32_t v = y - 1; v <= y + 1; ++v) {
-        for (std::int32_t u = x - 1; u <= x + 1; ++u) {
-            if (is_step(made.pixel(u, v), made.pixel(x, y))) return false;
-            off += is_off(made.pixel(u, v), target.pixel(u, v));
-        }
-    }
-    return off >= k_group;
-}
-
-// 1 or -1 if the pixels differ by more than noise, by the sign of the sum over the channels; else 0.
-int side_of(const std::uint8_t* a, const std::uint8_t* b) {
-    if (!is_off(a, b)) return 0;
-    const int sum = a[0] + a[1] + a[2] - b[0] - b[1] - b[2];
-    return sum < 0 ? -1 : 1;
-}
-
-// Whether the difference, at edges or not, has the form of blobs.
-bool has_blobs(const BytePicture& made, const BytePicture& target, const Area& area) {
-    struct Count {
-        std::size_t off = 0, middle = 0;
-    };
-    std::vector<Count> counts(static_cast<std::size_t>(made.height));
-    for_each_row(area.rows, area.threads, [&](std::int32_t y) {
-        if (y < 1 || y >= made.height - 1) return;
-        Count& count = counts[static_cast<std::size_t>(y)];
-        for (std::int32_t x = 1; x < made.width - 1; ++x) {
-            const int side = side_of(made.pixel(x, y), target.pixel(x, y));
-            if (side == 0) continue;
-            ++count.off;
-            int same = 0;
-            for (std::int32_t v = y - 1; v <= y + 1; ++v) {
-                for (std::int32_t u = x - 1; u <= x + 1; ++u)
-                    same += side_of(made.pixel(u, v), target.pixel(u, v)) == side;
-            }
-            count.middle += same >= k_blob;
-        }
-    });
-    Count all;
-    for (const Count& row : counts) all.off += row.off, all.middle += row.middle;
-    return static_cast<double>(all.middle) > k_blobs_left * static_cast<double>(all.off);
-}
-
 }  // namespace
 
 Search search_on(const PixelGrid& grid, const BytePicture& target, const std::vector<std::uint8_t>& edges,
@@ -136,21 +76,6 @@ Search search_on(const PixelGrid& grid, const BytePicture& target, const std::ve
     small.has_content = search.has_content;
     small.whole = distance(small.faulty, from, small.area);
     return small;
-}
-
-std::size_t structured_pixels(const BytePicture& made, const BytePicture& target, const Area& area) {
-    std::vector<std::size_t> counts(static_cast<std::size_t>(made.height));
-    for_each_row(area.rows, area.threads, [&](std::int32_t y) {
-        if (y < 1 || y >= made.height - 1) return;
-        const std::uint8_t* edges = &(*area.edges)[static_cast<std::size_t>(y) * made.width];
-        for (std::int32_t x = 1; x < made.width - 1; ++x) {
-            if (edges[x] == 0 && is_off(made.pixel(x, y), target.pixel(x, y)))
-                counts[static_cast<std::size_t>(y)] += is_structured(made, target, x, y);
-        }
-    });
-    std::size_t sum = 0;
-    for (const std::size_t count : counts) sum += count;
-    return sum;
 }
 
 CauseCandidate fitted_candidate(std::shared_ptr<const FittedCause> fitted, std::vector<double> values,
@@ -180,9 +105,9 @@ void Search::confirm(const BytePicture& made, CauseCandidate& candidate) const {
     candidate.left = distance(made, *target, area);
     candidate.is_estimated = false;
     candidate.is_confirmed = true;
+    const bool explains_all = candidate.left.all <= (1 - k_exact) * whole.all;
     const bool explains_it =
-        candidate.left.all <= (1 - k_exact) * whole.all ||
-        (whole.calm > k_enough_calm && candidate.left.calm <= (1 - k_exact) * whole.calm);
+        explains_all || (whole.calm > k_enough_calm && candidate.left.calm <= (1 - k_exact) * whole.calm);
     const auto check_view = [&] {
         const auto agreement = step_agreement(made, *target, sample.rows);
         candidate.is_strange = agreement && agreement->both_ways < k_same_view;
@@ -190,8 +115,10 @@ void Search::confirm(const BytePicture& made, CauseCandidate& candidate) const {
     if (!explains_it) return check_view();
     const double least = std::min(k_structure_left * static_cast<double>(structure),
                                   2 + k_structure_of_picture * static_cast<double>(made.rgb.size() / 3));
-    candidate.is_exact = static_cast<double>(structured_pixels(made, *target, area)) <= least &&
-                         !has_blobs(made, *target, area);
+    candidate.is_exact =
+        !candidate.is_vague && static_cast<double>(structured_pixels(made, *target, area)) <= least &&
+        !has_blobs(made, *target, area) &&
+        (original == nullptr || agrees_where_changed(made, *target, *original, area, !explains_all));
     if (!candidate.is_exact) check_view();
 }
 

@@ -27,6 +27,7 @@ struct CauseCandidate {
     int parameters = 0;         ///< numbers that are fitted to the picture
     bool is_confirmed = false;  ///< judged by all pixels
     bool is_exact = false;      ///< the difference that it leaves has no structure
+    bool is_vague = false;      ///< FittedCause::is_vague, of `values`
     /// Of a scene: its place in scene_causes(); the largest number if it is none of these.
     std::size_t row = SIZE_MAX;
     MakePicture make = {};  ///< the picture of a scene with it; empty if it is of pictures
@@ -47,6 +48,7 @@ struct CauseCandidate {
     void set_values(std::vector<double> numbers, bool about) {
         values = std::move(numbers);
         parameters = static_cast<int>(values.size());
+        is_vague = fitted->is_vague(values);
         cause.explanation = fitted->text(values, about);
         set_edit([fitted = fitted, numbers = values](FaultyScene& scene) { fitted->put(scene, numbers); });
     }
@@ -60,7 +62,9 @@ CauseCandidate fitted_candidate(std::shared_ptr<const FittedCause> fitted, std::
 struct Search {
     BytePicture faulty;
     const BytePicture* target = nullptr;  ///< what the causes are to make out of the reference
-    Area area, sample;                    ///< all of the picture, and where causes are tried first
+    /// The scene's own picture, if it is the reference's within little; else null.
+    const BytePicture* original = nullptr;
+    Area area, sample;  ///< all of the picture, and where causes are tried first
     CauseReport report;
     Status status;   ///< why there is no report
     Distance whole;  ///< what there is to explain
@@ -99,10 +103,6 @@ struct Search {
 /// becomes Search::faulty.
 Search search_on(const PixelGrid& grid, const BytePicture& target, const std::vector<std::uint8_t>& edges,
                  const BytePicture& from, const Search& search);
-
-/// The pixels in which the pictures differ by more than k_noise, away from edges of either, and most of their
-/// neighbours, too.
-std::size_t structured_pixels(const BytePicture& made, const BytePicture& target, const Area& area);
 
 /// What a candidate leaves, plus a part of the whole difference for each fitted number: of two that leave
 /// about the same, the one with fewer of them is more likely.

@@ -21,9 +21,16 @@ struct FittedCause {
     double least = 0.85;             ///< CauseCandidate::least
     std::vector<double> start = {};  ///< of the numbers; zeros if it is empty
     bool starts_far = false;         ///< `start` is another picture than the scene's
+    bool is_factor = false;          ///< of a number of the scene
     /// If the cause has more forms than its numbers say: those that begin where these numbers are fitted. The
     /// nearest of them is fitted next.
     std::function<std::vector<FittedCause>(std::span<const double>)> refined = {};
+    /// Whether the picture hardly depends on the numbers: a factor beyond these leaves no highlight that
+    /// would tell it from a larger one.
+    bool is_vague(std::span<const double> values) const {
+        constexpr double k_told = 8;
+        return is_factor && (values[0] > k_told || values[0] * k_told < 1);
+    }
 };
 
 }  // namespace glint

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "compare/geometry_search.h"
+#include "compare/left_structure.h"
 #include "compare/missing_shapes.h"
 #include "compare/picture_causes.h"
 
@@ -18,10 +19,10 @@ namespace {
 constexpr std::size_t k_firsts = 16, k_firsts_with_parts = 6, k_geometry_firsts = 2;
 // Those with which all others are rendered if nothing else explains the picture.
 constexpr std::size_t k_firsts_with_all = 4;
-// A pair is found if it leaves less than this mean, in 255ths. One that leaves more than this fraction is not
+// A pair that leaves more than this fraction is not
 // judged by all pixels; of a picture that shows another scene, it is not searched further, either. The grid's
 // difference counts if that of all pixels is at most so many times as large.
-constexpr double k_pair_rounding = 0.15, k_hopeless = 0.5, k_fair = 2.5;
+constexpr double k_hopeless = 0.5, k_fair = 2.5;
 // Pairs whose numbers are fitted together, and half of those that are judged by all pixels.
 constexpr std::size_t k_fitted_pairs = 14, k_confirmed_pairs = 3;
 // A pair that is not exact leaves at most this fraction of what the best single cause leaves, and explains
@@ -206,7 +207,7 @@ std::optional<CausePair> PairSearch::find(const Search& search) {
     fit_best(trial);
     const double whole = trial.coarse.whole.all;
     const auto goes_on = [&] {  // not if it is found, nor if this is another scene
-        return trial.least() > std::min(k_pair_found * whole, k_pair_rounding) &&
+        return trial.least() > std::min(k_pair_found * whole, k_rounding_mean) &&
                (search.same_view || trial.least() < k_hopeless * whole);
     };
     for (std::size_t i = 0; i < std::min(firsts.size(), k_firsts_with_all) && goes_on(); ++i)
@@ -269,6 +270,7 @@ std::optional<CausePair> PairSearch::find_shifted(const Search& search) {
 bool PairSearch::confirm(const Search& search, PairCandidate& pair) const {
     const std::optional<RenderedScene> made = render_pair(renderer_, all_, search, pair);
     if (made) search.confirm(made->bytes, pair.after);
+    if (pair.before.is_vague) pair.after.is_exact = false;
     return made.has_value();
 }
 

@@ -35,11 +35,13 @@ void put_scaled(const SceneCause& cause, Scene& scene, double factor) {
 }
 
 std::shared_ptr<const FittedCause> factor_of(const SceneCause& cause, double near) {
-    return std::make_shared<FittedCause>(FittedCause{
+    FittedCause factor{
         cause.name,
         {k_factor_unit * near},
         [cause](FaultyScene& s, std::span<const double> v) { put_scaled(cause, s.shading, v[0]); },
-        [text = cause.scale_text](std::span<const double> v, bool about) { return text(v[0], about); }});
+        [text = cause.scale_text](std::span<const double> v, bool about) { return text(v[0], about); }};
+    factor.is_factor = true;
+    return std::make_shared<FittedCause>(std::move(factor));
 }
 
 std::shared_ptr<const FittedCause> multiple_of(const SceneCause& cause, double near) {

@@ -208,6 +208,26 @@ TEST(CausesOfTracers, AreNotNamedForOtherNumbers) {
     }
 }
 
+// What is not in the tables is near to what is, but not the same where the lights or the highlights are.
+TEST(CausesOfTracers, AreNotSureOfOtherMistakes) {
+    for (const auto& make : {table, row}) {
+        for (const Case& c : {Case{"exponent squared", {.exponent_squared = true}},
+                              Case{"divided by the eye's distance", {.fades_from_eye = true}}}) {
+            SmallScene scene = make(c.blinn, false);
+            const Scene read = read_scene(text_of(scene));
+            const CauseReport report = *find_causes(picture(scene, c.mistakes), as_file(draw(read)), &read);
+            EXPECT_TRUE(report.causes.empty() || report.causes[0].perhaps) << c.name << all_causes(report);
+        }
+        // The same exponent for all highlights, and light that fades from the lamp, are known.
+        SmallScene sharp = make(false, false);
+        for (SmallBall& ball : sharp.balls) ball.shininess *= 2;
+        const Scene read = read_scene(text_of(make(false, false)));
+        const CauseReport report = *find_causes(picture(sharp, {}), as_file(draw(read)), &read);
+        EXPECT_EQ(first_cause(report), "exponent") << all_causes(report);
+        EXPECT_FALSE(report.causes.empty() || report.causes[0].perhaps) << all_causes(report);
+    }
+}
+
 TEST(CausesOfTracers, CylindersOfAnotherLength) {
     const std::string head = R"(
 background = (0.2, 0.3, 0.5)

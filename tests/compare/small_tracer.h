@@ -25,6 +25,7 @@ struct Mistakes {
     bool mirror_plus = false, mirror_negated = false;
     bool last_hit = false, first_hit = false, accepts_behind = false;
     bool integer_colors = false;
+    bool exponent_squared = false, fades_from_eye = false;
     int distance_power = 0;             ///< light divided by d^this
     double x_factor = 1, y_factor = 1;  ///< of the picture plane
     double plane_factor = 1;            ///< of both
@@ -189,9 +190,12 @@ class SmallTracer {
                 const Vec3 r = n * (2 * n_l) - l;
                 s = dot(m_.r_negated ? -r : r, v);
             }
-            const double strength = s_.lamp / std::pow(length(to_light), m_.distance_power);
+            const double strength = s_.lamp / std::pow(length(to_light), m_.distance_power) /
+                                    (m_.fades_from_eye ? length(s_.eye - p) : 1);
             const double diffuse = m_.diffuse_to_power ? std::pow(n_l, b.shininess) : n_l;
-            double shine = s > 0 ? b.specular * std::pow(s, b.shininess) : 0;
+            double shine = s > 0 ? b.specular * std::pow(s, m_.exponent_squared ? b.shininess * b.shininess
+                                                                                : b.shininess)
+                                 : 0;
             if (m_.specular_times_cosine) shine *= n_l;
             sum = sum + color * (diffuse * strength) + Color{shine, shine, shine} * strength;
         }

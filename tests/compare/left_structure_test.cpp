@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whether what a cause leaves is rounding: synthetic pictures.
+#include "compare/left_structure.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "compare/edges.h"
+#include "compare/factor_search.h"
+
+namespace glint::test {
+namespace {
+
+struct Size {
+    int width, height;
+};
+constexpr Size k_sizes[] = {{60, 40}, {97, 71}};
+
+using GreyAt = std::function<int(int x, int y)>;
+BytePicture drawn(Size size, const GreyAt& grey_at) {
+    BytePicture picture{size.width, size.height, {}};
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            for (int c = 0; c < 3; ++c)
+                picture.rgb.push_back(static_cast<std::uint8_t>(std::clamp(grey_at(x, y), 0, 255)));
+        }
+    }
+    return picture;
+}
+
+// A ramp that a cause makes 20 brighter in the left half.
+int original_at(int x, int y) { return 40 + x + y / 2; }
+GreyAt changed_in(Size size) {
+    return [half = size.width / 2](int x, int y) { return original_at(x, y) + (x < half ? 20 : 0); };
+}
+
+bool agrees(Size size, const GreyAt& made_at, const GreyAt& target_at, bool but_at_edges = false) {
+    const BytePicture made = drawn(size, made_at), target = drawn(size, target_at),
+                      original = drawn(size, original_at);
+    const std::vector<std::uint8_t> edges = edges_of(original, 1);
+    return agrees_where_changed(made, target, original, {&edges, all_rows(size.height), 1, 1}, but_at_edges);
+}
+
+TEST(LeftStructure, FewPixelsAreRoundedOtherwise) {
+    for (const Size size : k_sizes) {
+        const GreyAt made = changed_in(size);
+        EXPECT_TRUE(agrees(size, made, made));
+        const auto few = [&](int x, int y) { return made(x, y) + ((x * 7 + y * 13) % 20 == 0 ? 1 : 0); };
+        EXPECT_TRUE(agrees(size, made, few));
+    }
+}
+
+TEST(LeftStructure, AnotherCurveIsNoRounding) {
+    for (const Size size : k_sizes) {
+        const GreyAt made = changed_in(size);
+        const auto half = [&](int x, int y) {
+            return made(x, y) + (x < size.width / 2 && (x + y) % 2 == 0 ? 1 : 0);
+        };
+        EXPECT_FALSE(agrees(size, made, half));
+        const auto off_by_two = [&](int x, int y) { return made(x, y) + (x < 5 ? 2 : 0); };
+        EXPECT_FALSE(agrees(size, made, off_by_two));
+    }
+}
+
+// 127.5 is 127 or 128, in all of an area of one color, and says nothing about a cause.
+TEST(LeftStructure, ATieOfOneColorIsRounding) {
+    for (const Size size : k_sizes) {
+        const auto flat = [](int, int) { return 127; };
+        EXPECT_TRUE(agrees(size, flat, [](int, int) { return 128; }));
+        // It does not excuse edges, either: nothing shaded confirms the cause.
+        EXPECT_FALSE(agrees(
+            size, flat, [](int, int) { return 128; }, true));
+    }
+}
+
+TEST(FactorSearch, TheFactorOfMostBytes) {
+    for (const double factor : {1.2, 0.85}) {
+        std::vector<WantedValue> values;
+        const auto add = [&](double value) {
+            values.emplace_back(std::round(255 * value * factor) / 255, value);
+        };
+        for (int i = 0; i < 400; ++i) add(0.3711);  // a floor, whose rounding decides the mean factor
+        for (int i = 0; i < 500; ++i) add(0.2 + 0.001 * i);
+        const double mean = std::round(255 * 0.3711 * factor) / 255 / 0.3711;
+        EXPECT_NEAR(factor_of_most(values, mean), factor, 0.0015);
+        // Of noise, no factor gives half of the bytes.
+        for (std::size_t i = 0; i < values.size(); ++i) values[i].first += 0.01 * static_cast<double>(i % 40);
+        EXPECT_EQ(factor_of_most(values, mean), mean);
+    }
+}
+
+}  // namespace
+}  // namespace glint::test
