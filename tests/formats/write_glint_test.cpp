@@ -205,6 +205,22 @@ sphere { center = (0, 0, 0)  radius = 1 }
 )");
 }
 
+// A name that an earlier material has is lost, and the material is then as one without a name.
+TEST(WriteGlint, EqualMaterialsWhoseNameIsTakenAreOne) {
+    Scene scene;
+    Material red;
+    red.diffuse = {0.7, 0, 0};
+    scene.materials = {Material{}, red, red};
+    scene.material_texts.names = {{0, "paint"}, {1, "paint"}};
+    for (const std::uint32_t material : {0u, 1u, 2u}) scene.add(Sphere{}, material);
+    const std::string text = write_glint(scene).value();
+    expect_part(text,
+                "material = material_1 }\nsphere { center = (0, 0, 0)  radius = 1  material = material_1 }");
+    const Result<Scene> again = load_text(text, "a.glint");
+    ASSERT_TRUE(again) << messages(again);
+    EXPECT_EQ(write_glint(*again).value(), text);
+}
+
 TEST(WriteGlint, LightsAndNames) {
     Scene scene;
     Light gray, colored, two;
