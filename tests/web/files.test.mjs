@@ -154,6 +154,7 @@ test('a scene larger than storage comes back after a reload, and is among the re
     assert.equal((await sceneText(page)).length, large.length);
     await drop(page, {name: 'small.glint', text: 'render { size = 20 x 20 }\ncamera { position = (0, 0, -5)  look_at = (0, 0, 0) }\n'});
     await named(page, 'small.glint');
+    await page.waitForFunction(() => localStorage.getItem('glint.recent')?.includes('large.glint'));
     await page.goto(address);
     await settled(page);
     await page.getByRole('button', {name: 'Scenes', exact: true}).click();

@@ -93,17 +93,14 @@ const nameOf = (scene: StoredScene) => `recent ${scene.name} ${scene.scene ?? ''
 export function remember(scene: StoredScene) {
     const isGallery = gallery.some((one) => one.name === scene.name && one.text === scene.text) && !scene.overrides;
     if (scene.name === '' || isGallery) return;
-    const others = recent.value.filter((one) => one.name !== scene.name || one.scene !== scene.scene);
-    const isLarge = sizeOf(scene) > largest / mostRecent, large = nameOf(scene);
-    const entry: RecentScene = {...scene, compare: undefined, ...(isLarge ? {large, text: '', includes: undefined} : {})};
-    recent.value = [entry, ...others].slice(0, mostRecent);
-    write('localStorage', recentKey, recent.value);
-    if (!isLarge) return;
-    void keepLarge(large, {...scene, compare: undefined}).then((isKept) => {
-        if (isKept) return;
-        recent.value = recent.value.filter((one) => one !== entry);
+    const enter = (entry: RecentScene) => {
+        const others = recent.value.filter((one) => one.name !== scene.name || one.scene !== scene.scene);
+        recent.value = [entry, ...others].slice(0, mostRecent);
         write('localStorage', recentKey, recent.value);
-    });
+    };
+    const whole = {...scene, compare: undefined}, large = nameOf(scene);
+    if (sizeOf(scene) <= largest / mostRecent) enter(whole);
+    else void keepLarge(large, whole).then((isKept) => isKept && enter({...whole, large, text: '', includes: undefined}));
 }
 
 /** The key of this tab's page in IndexedDB: that of the reload before. */
