@@ -168,6 +168,7 @@ bool agrees_where_changed(const BytePicture& made, const BytePicture& target, co
         all.shaded += row.shaded;
         all.sum += row.sum;
     }
+    if (all.changed == 0) return true;  // truncation
     const auto fraction = [](std::size_t of, double part) { return part * static_cast<double>(of); };
     const bool is_same_sampling =
         all.same_edges > 0 && static_cast<double>(all.same_off) <= fraction(all.same_edges, k_same_sampling);

@@ -65,6 +65,17 @@ TEST(LeftStructure, AnotherCurveIsNoRounding) {
     }
 }
 
+// It changes no pixel by more than rounding, so that nothing else can be asked of it.
+TEST(LeftStructure, TruncationAgrees) {
+    for (const Size size : k_sizes) {
+        const auto truncated = [](int x, int y) { return original_at(x, y) - (x + y) % 2; };
+        const auto with_specks = [&](int x, int y) {
+            return truncated(x, y) + ((x * 7 + y * 13) % 90 == 0 ? 5 : 0);
+        };
+        EXPECT_TRUE(agrees(size, truncated, with_specks));
+    }
+}
+
 // 127.5 is 127 or 128, in all of an area of one color, and says nothing about a cause.
 TEST(LeftStructure, ATieOfOneColorIsRounding) {
     for (const Size size : k_sizes) {
