@@ -34,7 +34,9 @@ constexpr SceneFault k_kernel[] = {
      .fault = TracerFault::normals_reversed},
     {.name = "normals-reversed",
      .applies = is_lit,
-     .explanation = "The normals of spheres are reversed: N is P - C, not C - P.",
+     .explanation =
+         "The normals of spheres are reversed: N is P - C, not C - P. (Or spheres shade themselves: a shadow "
+         "ray starts at P, not in the sphere.)",
      .fault = TracerFault::sphere_normals_reversed},
     {.name = "reflection-vector-negated",
      .applies = has_phong,

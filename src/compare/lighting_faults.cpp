@@ -101,7 +101,8 @@ constexpr SceneFault k_lighting[] = {
     {"normals-reversed", [](const Scene& s) { return is_lit(s) && any_light(s, is_ambient); },
      [](Scene& s) { for_each_light(s, switch_off); },
      "There is only the ambient term. N or L is reversed, so that N.L is below 0 where the surface is lit (a "
-     "sphere's N is P - C, not C - P, and L goes from P to the light), or no light is added.",
+     "sphere's N is P - C, not C - P, and L goes from P to the light), or no light is "
+     "added, or all lights stand where they reach nothing that is visible.",
      "the light of all lights but the ambient one", "light-intensity", scale_lights},
     {"shadows-missing", has_shadows, [](Scene& s) { s.settings.shadows = false; },
      "Shadows are missing: before adding a light, test whether a ray from the point to it hits a surface."},
@@ -131,8 +132,15 @@ constexpr SceneFault k_lighting[] = {
     {"highlight-surface-color", [](const Scene& s) { return has_highlights(s) && any_material(s, has_hue); },
      [](Scene& s) { for_each_material(s, [](Material& m) { m.specular = m.specular * m.diffuse; }); },
      "Highlights have the surface's color: the specular term is also multiplied by the diffuse color, with "
-     "its "
-     "coefficient."},
+     "its coefficient."},
+    {"highlight-surface-color", [](const Scene& s) { return has_highlights(s) && any_material(s, has_hue); },
+     [](Scene& s) {
+         for_each_material(s, [](Material& m) {
+             if (!is_zero(m.specular)) m.specular = m.diffuse;
+         });
+     },
+     "Highlights have the surface's color: the specular term has the diffuse coefficient k_d in place of "
+     "k_s."},
     {"highlight-not-surface-color", has_highlights,
      [](Scene& s) {
          for_each_material(s, [](Material& m) {

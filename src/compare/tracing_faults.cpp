@@ -80,11 +80,21 @@ constexpr SceneFault k_tracing[] = {
      [](Scene& s) { s.conventions.mirror = MirrorRule::blend; },
      "Mirrors are too dark: the reflected color is mixed with the local one, and in the reference it is "
      "added."},
+    {"mirror-surface-color", has_mirrors,
+     [](Scene& s) { for_each_material(s, [](Material& m) { m.mirror_tint = m.mirror_tint * m.color; }); },
+     "What mirrors show has the surface's color, too: multiply the reflected color by the coefficient "
+     "alone."},
+    {"mirror-surface-color", has_mirrors,
+     [](Scene& s) { for_each_material(s, [](Material& m) { m.mirror_tint = m.mirror_tint * m.diffuse; }); },
+     "What mirrors show is multiplied by k_d, too: multiply the reflected color by the coefficient alone."},
     {"glass-missing", has_glass,
      [](Scene& s) { for_each_material(s, [](Material& m) { m.transmission = 0; }); },
      "Glass is opaque: follow the refracted ray."},
     {"refraction-missing", has_glass, [](Scene& s) { for_each_material(s, [](Material& m) { m.ior = 1; }); },
      "Rays go straight through glass: bend them by Snell's law."},
+    {"refraction-inverted", has_glass,
+     [](Scene& s) { for_each_material(s, [](Material& m) { m.ior = 1 / m.ior; }); },
+     "Rays are bent the wrong way: where a ray enters, eta is 1 / ior, and where it leaves, ior."},
     {"glass-shadow", has_glass,
      [](Scene& s) {
          s.conventions.glass_shadow =

@@ -26,6 +26,7 @@ struct Mistakes {
     bool last_hit = false, first_hit = false, accepts_behind = false;
     bool integer_colors = false;
     bool exponent_squared = false, fades_from_eye = false;
+    bool mirror_colored = false, specular_is_diffuse = false;
     int distance_power = 0;             ///< light divided by d^this
     double x_factor = 1, y_factor = 1;  ///< of the picture plane
     double plane_factor = 1;            ///< of both
@@ -160,7 +161,9 @@ class SmallTracer {
         Vec3 r = d - m * (2 * dot(m, d));
         if (m_.mirror_plus) r = d + normal * (2 * dot(normal, d));
         if (m_.mirror_negated) r = -r;
-        return local * (1 - b.mirror) + trace(p, r, depth + 1) * b.mirror;
+        Color seen = trace(p, r, depth + 1);
+        if (m_.mirror_colored) seen = seen * color;
+        return local * (1 - b.mirror) + seen * b.mirror;
     }
 
     Color light(Vec3 p, Vec3 d, Vec3 n, const SmallBall& b, Color color, int depth, bool is_ball) const {
@@ -193,11 +196,12 @@ class SmallTracer {
             const double strength = s_.lamp / std::pow(length(to_light), m_.distance_power) /
                                     (m_.fades_from_eye ? length(s_.eye - p) : 1);
             const double diffuse = m_.diffuse_to_power ? std::pow(n_l, b.shininess) : n_l;
-            double shine = s > 0 ? b.specular * std::pow(s, m_.exponent_squared ? b.shininess * b.shininess
-                                                                                : b.shininess)
-                                 : 0;
+            double shine =
+                s > 0 ? std::pow(s, m_.exponent_squared ? b.shininess * b.shininess : b.shininess) : 0;
             if (m_.specular_times_cosine) shine *= n_l;
-            sum = sum + color * (diffuse * strength) + Color{shine, shine, shine} * strength;
+            Color k_s{b.specular, b.specular, b.specular};
+            if (m_.specular_is_diffuse && b.specular > 0) k_s = color;
+            sum = sum + color * (diffuse * strength) + k_s * (shine * strength);
         }
         if (m_.no_ambient_in_shadow && is_shadowed) sum = sum + color * -s_.ambient;
         if (m_.integer_sum) sum = {whole(sum.r), whole(sum.g), whole(sum.b)};
