@@ -347,7 +347,7 @@ export interface RayTerms {
     inside_object?: boolean;
     /** what a ray without a hit adds */
     background?: Vec3;
-    /** the ray shows the background directly or through glass: the mean of its weight is subtracted from alpha */
+    /** the ray shows the background directly or through glass: the mean of its weight, times 1 - `background_alpha`, is subtracted from alpha */
     transparent?: boolean;
 }
 
