@@ -7,8 +7,14 @@
 namespace glint::povray {
 namespace {
 
-// Whether an `#end` belongs to the directive.
-bool begins_block(Word directive) {
+bool is_within(double value, const Condition& condition) {
+    // POV-Ray's tolerance.
+    return condition.step > 0 ? value <= condition.end + 1e-10 : value >= condition.end - 1e-10;
+}
+
+}  // namespace
+
+bool DirectiveParser::begins_block(Word directive) {
     switch (directive) {
         case Word::k_if:
         case Word::k_ifdef:
@@ -22,13 +28,6 @@ bool begins_block(Word directive) {
             return false;
     }
 }
-
-bool is_within(double value, const Condition& condition) {
-    // POV-Ray's tolerance.
-    return condition.step > 0 ? value <= condition.end + 1e-10 : value >= condition.end - 1e-10;
-}
-
-}  // namespace
 
 // ( full expression )
 bool DirectiveParser::condition() {

@@ -29,6 +29,8 @@ class DirectiveParser : public ObjectParser {
     void read_macro(const Token& at);
 
     // conditions.cpp
+    /// Whether an `#end` belongs to the directive.
+    static bool begins_block(Word directive);
     bool condition();
     void read_if(const Token& at, bool is_true);
     void read_ifdef(const Token& at, bool wanted);

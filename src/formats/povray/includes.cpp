@@ -79,16 +79,8 @@ void DirectiveParser::report_missing() {
     for (std::uint32_t i = frame.at; i + 1 < frame.end && !reading().diagnostics.full(); ++i) {
         const Token& token = frame.tokens[i];
         if (token.kind != TokenKind::directive) continue;
+        if (begins_block(token.directive())) ++depth;
         switch (token.directive()) {
-            case Word::k_if:
-            case Word::k_ifdef:
-            case Word::k_ifndef:
-            case Word::k_while:
-            case Word::k_for:
-            case Word::k_switch:
-            case Word::k_macro:
-                ++depth;
-                break;
             case Word::k_else:
             case Word::k_elseif:
             case Word::k_case:
