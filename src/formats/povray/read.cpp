@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The reader's entry: a whole text, from its first statement to the settings that it decides.
-#include <fmt/core.h>
-
-#include <algorithm>
-
 #include "formats/povray/reader.h"
 #include "formats/povray_keywords.h"
 #include "formats/registry.h"
-#include "math/number.h"
 
 namespace glint {
 namespace povray {
@@ -92,23 +87,11 @@ void Reader::finish() {
         scene_.lights.push_back(ambient);
     }
     const bool is_new = version_.value_or(0) >= 3.7;
-    const bool has_mirrors =
-        std::any_of(scene_.materials.begin(), scene_.materials.end(),
-                    [](const Material& m) { return m.mirror > 0 || m.mirror_falloff > 0; });
-    if (is_new && background_[4] > 0 && !scene_.gradient && has_mirrors &&
-        number::max(background_[0], number::max(background_[1], background_[2])) > 0) {
-        builder_.report(
-            {"transmit", "of the background; mirrors show the background without it", background_at_});
-    }
+    use_background(is_new);
     builder_.finish(camera_ ? camera_->at : own_tokens().front());
     use_gamma();
     if (!is_new) set("opacity", version_place_, "brightest");
     set("rounding", version_place_, "half_up");
-    const double transmit = is_new ? std::clamp(background_[4], 0.0, 1.0) : 0;
-    scene_.background = Color{background_[0], background_[1], background_[2]} * (1 - transmit);
-    // From version 3.7 on, a background that is not transparent is part of a picture with alpha.
-    const double opacity = scene_.gradient ? 1 : reading().background_given ? 1 - transmit : 0;
-    if (is_new && opacity > 0) set("background_alpha", version_place_, fmt::format("{}", opacity));
 }
 
 }  // namespace povray

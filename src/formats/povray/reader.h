@@ -30,6 +30,8 @@ class Reader final : public DirectiveParser {
     void read_background(const Token& at);
     void read_fog(const Token& at);
     void read_sky(const Token& at);
+    /// After the last object. is_new: version 3.7 or later.
+    void use_background(bool is_new);
 
     Scene& scene_;
     SceneBuilder builder_;

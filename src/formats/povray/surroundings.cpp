@@ -72,11 +72,28 @@ void Reader::read_background(const Token& at) {
     const std::array<double, 5> c = color(true);
     expect('}');
     if (failed()) return;
-    // The transmit of a background counts from version 3.7 on.
     background_ = c;
     background_at_ = at;
     scene_.background_place = place_of(at);
     reading().background_given = true;
+}
+
+// From version 3.7 on, transmit counts, and a background that is not transparent is part of a picture with
+// alpha.
+void Reader::use_background(bool is_new) {
+    const Color color{background_[0], background_[1], background_[2]};
+    const double transmit = is_new ? std::clamp(background_[4], 0.0, 1.0) : 0;
+    const bool has_mirrors =
+        std::any_of(scene_.materials.begin(), scene_.materials.end(),
+                    [](const Material& m) { return m.mirror > 0 || m.mirror_falloff > 0; });
+    if (transmit > 0 && !scene_.gradient && has_mirrors &&
+        number::max(color.r, number::max(color.g, color.b)) > 0) {
+        builder_.report(
+            {"transmit", "of the background; mirrors show the background without it", background_at_});
+    }
+    scene_.background = color * (1 - transmit);
+    const double opacity = scene_.gradient ? 1 : reading().background_given ? 1 - transmit : 0;
+    if (is_new && opacity > 0) set("background_alpha", version_place_, fmt::format("{}", opacity));
 }
 
 // fog { items }: of constant density.
