@@ -49,7 +49,7 @@ export function stateWith(text: string, kept: KeptHistory, extensions: Extension
     for (const list of ['done', 'undone'] as const) {
         read[list].forEach((event, i) => {
             const before = kept[list][i]!.state;
-            if (before) event.effects = [changed.of({...before, scene: before.scene, includes: before.includes ?? usual})];
+            if (before) event.effects = [changed.of({...before, includes: before.includes ?? usual})];
         });
     }
     return state;
