@@ -3,6 +3,7 @@
 // The Scene: shapes, materials, lights, camera, settings. Plain data; make it in code or load it from text.
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 #include "glint/diagnostic.h"
 #include "glint/export.h"
 #include "glint/item_names.h"
+#include "glint/mesh.h"
 #include "glint/shapes.h"
 #include "glint/vec.h"
 
@@ -328,8 +330,9 @@ struct Scene {
     std::optional<Occlusion> occlusion;          ///< not in the shading modes color and normals
     std::vector<Light> lights;
     std::vector<Material> materials;
-    std::vector<Affine> transforms;      ///< world_from_object, invertible
-    std::vector<Vec3> polygon_vertices;  ///< referred to by Polygons
+    std::vector<Affine> transforms;                       ///< world_from_object, invertible
+    std::vector<Vec3> polygon_vertices;                   ///< referred to by Polygons
+    std::vector<std::shared_ptr<const MeshData>> meshes;  ///< referred to by Meshes; shared by copies
     std::vector<Shape> shapes;  ///< in scene order: of two shapes hit at the same t, the first counts
     /// By shape; a shorter list leaves the other shapes without a color of their own. A shape with one looks
     /// as if it had with_color(its material, its color), in 12 bytes instead of a material.

@@ -86,6 +86,12 @@ struct Polygon {
     std::uint32_t first = 0, count = 0;
 };
 
+/// The triangles of Scene::meshes[mesh]. Each is a Triangle, or a SmoothTriangle if its vertices have
+/// normals. Several shapes may have one mesh.
+struct Mesh {
+    std::uint32_t mesh = 0;
+};
+
 // The list of kinds: X(Type, word), in the order of ShapeKind. Ties between shapes are resolved by scene
 // order.
 #define GLINT_SHAPES(X)                \
@@ -97,7 +103,8 @@ struct Polygon {
     X(Box, box)                        \
     X(Triangle, triangle)              \
     X(SmoothTriangle, smooth_triangle) \
-    X(Polygon, polygon)
+    X(Polygon, polygon)                \
+    X(Mesh, mesh)
 
 enum class ShapeKind : std::uint8_t {
 #define GLINT_KIND(Type, word) word,

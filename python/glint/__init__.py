@@ -23,6 +23,7 @@ from ._glint import (
     Fog,
     Light,
     Material,
+    Mesh,
     Occlusion,
     Plane,
     Polygon,
@@ -44,7 +45,7 @@ from ._values import Attenuation, Color, ColorLike, Vec3, VectorLike
 __all__ = [
     "Attenuation", "BackgroundGradient", "Box", "Camera", "CameraFrame", "Color", "ColorLike", "Comparison", "Cone", "Cylinder",
     "Diagnostic", "Disc", "Explanation", "Finding", "Fog", "GlintError", "GlintWarning", "Graded", "GradedPart", "Hits",
-    "Image", "Light", "Material", "Occlusion", "Plane", "Polygon", "Record", "Scene", "Shape", "SmoothTriangle", "Sphere",
+    "Image", "Light", "Material", "Mesh", "Occlusion", "Plane", "Polygon", "Record", "Scene", "Shape", "SmoothTriangle", "Sphere",
     "Triangle", "Vec3", "VectorLike", "Versus", "check", "compare", "convert", "explain", "grade", "isa_names",
     "load", "loads", "profiles", "setting_infos", "versus",
 ]

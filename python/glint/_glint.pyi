@@ -429,6 +429,25 @@ class Polygon(Shape):
     ) -> None: ...
     vertices: _PointsField
 
+class Mesh(Shape):
+    def __init__(
+        self,
+        vertices: Any,
+        triangles: Any,
+        normals: Any = ...,
+        *,
+        material: Optional[Material] = ...,
+        color: Optional[ColorLike] = ...,
+        transform: Any = ...,
+        name: str = ...,
+    ) -> None: ...
+    @property
+    def vertices(self) -> npt.NDArray[Any]: ...
+    @property
+    def triangles(self) -> npt.NDArray[np.uint32]: ...
+    @property
+    def normals(self) -> Optional[npt.NDArray[np.float32]]: ...
+
 class Rendering:
     def __init__(self, array: npt.NDArray[np.float32]) -> None: ...
     @staticmethod

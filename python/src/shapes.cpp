@@ -6,6 +6,7 @@
 #include <concepts>
 
 #include "base/text.h"
+#include "mesh.h"
 #include "shape_visitors.h"
 
 namespace glint::python {
@@ -88,6 +89,8 @@ template <> struct ShapeOf<Polygon> : ShapeBox {
     }
 };
 
+template <class T> using BoxOf = std::conditional_t<std::same_as<T, Mesh>, MeshBox, ShapeOf<T>>;
+
 void set_material(ShapeBox& shape, const py::handle& material) {
     shape.material = material.is_none() ? nullptr : material.cast<std::shared_ptr<MaterialBox>>();
 }
@@ -103,22 +106,6 @@ void set_transform(ShapeBox& shape, const py::handle& transform) {
     } else {
         shape.transform = to_affine(transform, "transform");
     }
-}
-
-// The keywords that every kind takes. False for other words.
-bool set_common(ShapeBox& shape, const std::string& name, const py::handle& value) {
-    if (name == "material") {
-        set_material(shape, value);
-    } else if (name == "color") {
-        set_shape_color(shape, value);
-    } else if (name == "transform") {
-        set_transform(shape, value);
-    } else if (name == "name") {
-        shape.name = value.cast<std::string>();
-    } else {
-        return false;
-    }
-    return true;
 }
 
 template <class T>
@@ -204,14 +191,29 @@ bool same_material(const std::shared_ptr<MaterialBox>& a, const std::shared_ptr<
 
 }  // namespace
 
+bool set_common(ShapeBox& shape, const std::string& name, const py::handle& value) {
+    if (name == "material") {
+        set_material(shape, value);
+    } else if (name == "color") {
+        set_shape_color(shape, value);
+    } else if (name == "transform") {
+        set_transform(shape, value);
+    } else if (name == "name") {
+        shape.name = value.cast<std::string>();
+    } else {
+        return false;
+    }
+    return true;
+}
+
 std::shared_ptr<ShapeBox> read_shape(const Scene& scene, std::uint32_t index) {
     const Shape& shape = scene.shapes[index];
     switch (shape.kind) {
-#define GLINT_KIND(Type, word)                        \
-    case ShapeKind::word: {                           \
-        auto box = std::make_shared<ShapeOf<Type>>(); \
-        box->read(scene, shape);                      \
-        return box;                                   \
+#define GLINT_KIND(Type, word)                      \
+    case ShapeKind::word: {                         \
+        auto box = std::make_shared<BoxOf<Type>>(); \
+        box->read(scene, shape);                    \
+        return box;                                 \
     }
         GLINT_SHAPES(GLINT_KIND)
 #undef GLINT_KIND
@@ -275,6 +277,7 @@ void bind_shapes(py::module_& m) {
     bind_shape<SmoothTriangle>(m, "SmoothTriangle",
                                "SmoothTriangle(vertices, normals): shaded by its normals");
     bind_shape<Polygon>(m, "Polygon", "Polygon(vertices): flat, convex or not");
+    bind_mesh(m);
 }
 
 }  // namespace glint::python

@@ -35,6 +35,9 @@ struct ShapeBox {
 /// The parameters of shape number `index`, without material, color, transform and name.
 std::shared_ptr<ShapeBox> read_shape(const Scene& scene, std::uint32_t index);
 
+/// Sets one of the attributes that every kind has: material, color, transform, name. False for other words.
+bool set_common(ShapeBox& shape, const std::string& name, const py::handle& value);
+
 void bind_shapes(py::module_& m);
 
 }  // namespace glint::python

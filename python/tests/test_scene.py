@@ -207,16 +207,40 @@ def test_every_kind_of_shape():
         glint.Triangle([(0, 0, 0), (1, 0, 0), (0, 1, 0)]),
         glint.SmoothTriangle([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 0, 1)] * 3),
         glint.Polygon([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]),
+        glint.Mesh([(0, 0, 0), (1, 0, 0), (1, 1, 0.1), (0, 1, 0)], [(0, 1, 2), (0, 2, 3)]),
     ]
     for shape in shapes:
         scene.add(shape)
     assert [s.kind for s in scene.shapes] == [
-        "sphere", "plane", "cylinder", "cone", "disc", "box", "triangle", "smooth_triangle", "polygon",
+        "sphere", "plane", "cylinder", "cone", "disc", "box", "triangle", "smooth_triangle", "polygon", "mesh",
     ]  # fmt: skip
     assert glint.loads(scene.to_glint()).to_glint() == scene.to_glint()
     scene.shapes[8].vertices = [(0, 0, 0), (2, 0, 0), (2, 2, 0)]
     np.testing.assert_array_equal(scene.shapes[8].vertices[1], (2, 0, 0))
     assert scene.shapes[2].caps and not scene.shapes[3].caps
+
+
+def test_meshes():
+    corners = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], np.float32)
+    mesh = glint.Mesh(corners, [(0, 1, 2), (0, 2, 3)], normals=[(0, 0, 1)] * 4, color=(1, 0, 0), name="square")
+    assert mesh.vertices.dtype == np.float32 and not mesh.vertices.flags.writeable
+    np.testing.assert_array_equal(mesh.triangles, [(0, 1, 2), (0, 2, 3)])
+    np.testing.assert_array_equal(mesh.normals[3], (0, 0, 1))
+    scene = glint.Scene(glint.Light("directional", to_light=(0, 0, 1)), size=(32, 32))
+    scene.add(mesh)
+    moved = scene.add(glint.Mesh(corners, [(0, 1, 2)]))
+    moved.transform = [(1, 0, 0, 2), (0, 1, 0, 0), (0, 0, 1, 0)]
+    assert scene.shapes["square"] == mesh and moved.normals is None
+    assert scene.to_glint().count("mesh") == 2
+    for vertices, triangles, message in (
+        (corners, [(0, 1, 4)], "triangles: triangle 0: expected a vertex below 4, found 4"),
+        (corners, [(0, 1, -1)], "found -1"),
+        (corners[:, :2], [(0, 1, 2)], "vertices: expected an array of N x 3 numbers, found 2 dimensions, 2 columns"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            glint.Mesh(vertices, triangles)
+    with pytest.raises(ValueError, match="normals: expected 4"):
+        glint.Mesh(corners, [(0, 1, 2)], normals=[(0, 0, 1)])
 
 
 def test_transforms(scene):

@@ -74,6 +74,9 @@ std::vector<double> values_of(const Scene& scene, const Shape& shape) {
             for (std::uint32_t i = 0; i < s.count; ++i) append(v, scene.polygon_vertices[s.first + i]);
             break;
         }
+        case ShapeKind::mesh:
+            v.push_back(static_cast<double>(scene.get<Mesh>()[shape.index].mesh));
+            break;
         default:  // a kind that was added later: never equal to another shape
             v.push_back(static_cast<double>(shape.index));
     }

@@ -217,7 +217,8 @@ std::string text_report(const SceneReport& report) {
                    bytes_text(double(used.shapes)), bytes_text(double(used.boxes)),
                    bytes_text(double(used.indices)), bytes_text(double(used.hierarchy)), colors,
                    bytes_text(double(used.materials)), bytes_text(double(used.total())));
-    fmt::format_to(out, "  {:.1f} bytes per shape of {} (polygons are triangles), without materials\n",
+    fmt::format_to(out,
+                   "  {:.1f} bytes per shape of {} (polygons and meshes are triangles), without materials\n",
                    used.each(), with_commas(used.packed));
     for (const bool conventions : {false, true}) {
         fmt::format_to(out, "{}\n", conventions ? "conventions" : "settings");

@@ -54,7 +54,7 @@ std::string with_commas(std::uint64_t number) {
 }
 
 std::string counted(std::uint64_t number, std::string_view noun) {
-    const std::string_view plural = noun.ends_with('x') ? "es" : "s";
+    const std::string_view plural = noun.ends_with('x') || noun.ends_with("sh") ? "es" : "s";
     return fmt::format("{} {}{}", with_commas(number), noun, number == 1 ? "" : plural);
 }
 

@@ -40,6 +40,7 @@ void drop_shapes(Scene& scene) {
     scene.shape_colors = {};
     scene.transforms = {};
     scene.polygon_vertices = {};
+    scene.meshes = {};
     scene.parameters = {};
     scene.shape_texts = {};
 }

@@ -7,6 +7,7 @@
 
 #include "formats/glint_blocks.h"
 #include "formats/glint_item.h"
+#include "formats/glint_mesh.h"
 
 namespace glint {
 namespace {
@@ -31,6 +32,7 @@ constexpr auto k_axial_fields = with_shape_fields({{"from", true}, {"to", true},
 constexpr auto k_box_fields = with_shape_fields({{"min", true}, {"max", true}});
 constexpr auto k_triangle_fields = with_shape_fields({{"vertices", true}, {"normals"}});
 constexpr auto k_polygon_fields = with_shape_fields({{"vertices", true}});
+constexpr auto k_mesh_fields = with_shape_fields({{"file"}, {"vertices"}, {"normals"}, {"triangles"}});
 
 // The spelling hints for a shape and its material.
 template <std::size_t N> std::span<const SpellingHint> with_material_hints(const SpellingHint (&own)[N]) {
@@ -112,6 +114,14 @@ class ShapeReader {
             }))
             return;
         add(s);
+    }
+
+    // Of a file, or of the lists in the block.
+    void mesh() {
+        MeshText text(t_);
+        if (!keys(k_mesh_fields, [&](int field, const Token& key) { return text.read_key(field, key); }))
+            return;
+        if (const auto index = text.mesh_index(word_)) add(Mesh{*index});
     }
 
     // Visitors for fields() of a kind: for the names of the fields, ...
@@ -316,7 +326,8 @@ std::span<const ShapeWord> shape_words() {
         {"cone", &ShapeReader::cone, k_axial_fields},
         {"box", &ShapeReader::box, k_box_fields},
         {"triangle", &ShapeReader::triangle, k_triangle_fields},
-        {"polygon", &ShapeReader::polygon, k_polygon_fields}};
+        {"polygon", &ShapeReader::polygon, k_polygon_fields},
+        {"mesh", &ShapeReader::mesh, k_mesh_fields}};
     return words;
 }
 

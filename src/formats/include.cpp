@@ -73,6 +73,16 @@ class Include {
         }
     }
 
+    std::optional<ReadText> open(const std::string& name) {
+        if (reading_.diagnostics.full()) return std::nullopt;
+        if (reading_.sources == nullptr) {
+            error(name, "this text cannot refer to others: no files are read here");
+        } else if (const auto file = find_text(name, path_of(name))) {
+            return ReadText{reading_.texts[*file], *file, true};
+        }
+        return std::nullopt;
+    }
+
   private:
     void error(const std::string& name, const std::string& what) {
         reading_.diagnostics.error(from_.place, at_.offset, at_.length,
@@ -171,6 +181,11 @@ class Include {
 void include_text(LoadState& reading, const ReadText& from, const Token& at, const std::string& name,
                   const std::string& format) {
     Include(reading, from, at).read(name, format);
+}
+
+std::optional<ReadText> open_text(LoadState& reading, const ReadText& from, const Token& at,
+                                  const std::string& name) {
+    return Include(reading, from, at).open(name);
 }
 
 }  // namespace glint

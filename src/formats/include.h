@@ -12,4 +12,9 @@ namespace glint {
 void include_text(LoadState& reading, const ReadText& from, const Token& at, const std::string& name,
                   const std::string& format = {});
 
+/// Opens the text `name`, relative to the text `from`, without reading it. Nothing after an error, which is
+/// reported at `at`. A text is opened once.
+std::optional<ReadText> open_text(LoadState& reading, const ReadText& from, const Token& at,
+                                  const std::string& name);
+
 }  // namespace glint

@@ -25,6 +25,10 @@ std::uint64_t bytes_of(const Scene& scene) {
 #define GLINT_KIND(Type, word) bytes += bytes_of(scene.get<Type>());
     GLINT_SHAPES(GLINT_KIND)
 #undef GLINT_KIND
+    for (const auto& mesh : scene.meshes) {
+        bytes += bytes_of(mesh->single_positions) + bytes_of(mesh->positions) + bytes_of(mesh->normals) +
+                 bytes_of(mesh->triangles);
+    }
     return bytes;
 }
 

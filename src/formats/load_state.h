@@ -95,6 +95,8 @@ struct LoadState {
     CountedMap<std::string, std::uint32_t> materials;  ///< of all texts, by name
     std::shared_ptr<GlintMaterials> glint_materials;   ///< created by the first .glint text
     std::shared_ptr<TachyonState> tachyon;             ///< created by the first .dat text
+    std::map<std::uint16_t, std::uint32_t> meshes;     ///< in Scene::meshes, by the text's index in `texts`
+    bool is_mesh_alone = false;                        ///< a text of the caller's is a file of a mesh
     bool camera_given = false, background_given = false;
     bool camera_included = false, background_included = false;  ///< set by an included text
     bool is_include_missing = false;                            ///< a text could not be read

@@ -45,6 +45,10 @@ void set_tachyon_defaults(Scene& scene);
 void read_tachyon(LoadState& reading, const ReadText& text);
 void finish_tachyon(LoadState& reading);
 
+void set_mesh_defaults(Scene& scene);
+void read_ply(LoadState& reading, const ReadText& text);
+void finish_mesh(LoadState& reading);
+
 void set_glint_defaults(Scene& scene);
 void read_glint(LoadState& reading, const ReadText& text);
 void finish_glint(LoadState& reading);

@@ -147,17 +147,44 @@ class ShapeWriter {
         write_points("vertices", std::span(scene_.polygon_vertices).subspan(p.first, p.count));
     }
 
-    void write_points(std::string_view key, std::span<const Vec3> points) {
-        std::string& text = block_.key(key);
-        text += '(';
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            if (i > 0) {
-                text += ", ";
-                block_.allow_break();
-            }
-            append(text, points[i]);
+    void write_keys(const Mesh& m) {
+        const MeshData& mesh = *scene_.meshes[m.mesh];
+        write_list("vertices", mesh.vertex_count(),
+                   [&](std::size_t i) { return mesh.position(static_cast<std::uint32_t>(i)); });
+        if (!mesh.normals.empty())
+            write_list("normals", mesh.normals.size(),
+                       [&](std::size_t i) { return to_vec3(mesh.normals[i]); });
+        std::string& text = begin_list("triangles");
+        for (const auto& [a, b, c] : mesh.triangles) {
+            next_item(text);
+            fmt::format_to(std::back_inserter(text), "({}, {}, {})", a, b, c);
         }
         text += ')';
+    }
+
+    void write_points(std::string_view key, std::span<const Vec3> points) {
+        write_list(key, points.size(), [&](std::size_t i) { return points[i]; });
+    }
+    template <class Point> void write_list(std::string_view key, std::size_t count, const Point& point) {
+        std::string& text = begin_list(key);
+        for (std::size_t i = 0; i < count; ++i) {
+            next_item(text);
+            append(text, point(i));
+        }
+        text += ')';
+    }
+    std::string& begin_list(std::string_view key) {
+        std::string& text = block_.key(key);
+        text += '(';
+        is_first_ = true;
+        return text;
+    }
+    void next_item(std::string& text) {
+        if (!is_first_) {
+            text += ", ";
+            block_.allow_break();
+        }
+        is_first_ = false;
     }
 
     BlockWriter& block_;
@@ -165,6 +192,7 @@ class ShapeWriter {
     const MaterialPlan& materials_;
     const SceneComments& comments_;
     std::size_t word_width_ = 0;
+    bool is_first_ = true;  // the next item of the list
 };
 
 }  // namespace

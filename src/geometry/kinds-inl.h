@@ -22,9 +22,12 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Polygons are triangulated before packing, so a World contains none.
+/// Polygons and meshes are packed as triangles, so a World contains none.
 struct PolygonGeometry : TriangleGeometry {};
-template <class Geometry> inline constexpr bool k_is_packed = !std::is_same_v<Geometry, PolygonGeometry>;
+struct MeshGeometry : TriangleGeometry {};
+template <class Geometry>
+inline constexpr bool k_is_packed =
+    !std::is_same_v<Geometry, PolygonGeometry> && !std::is_same_v<Geometry, MeshGeometry>;
 
 /// The normal of the face at a point, of any length; shading: the kind's normal there.
 template <class Geometry, class T> HWY_INLINE Vector3<T> face_normal(const T* p, const Vector3<T>& shading) {

@@ -7,14 +7,16 @@
 #include <span>
 
 #include "scene/ranges.h"
+#include "scene/validate_mesh.h"
 
 namespace glint {
 namespace {
 
 class ParameterCheck {
   public:
-    ParameterCheck(const Scene& scene, std::vector<std::string>& mistakes)
-        : scene_(scene), mistakes_(mistakes) {}
+    ParameterCheck(const Scene& scene, std::vector<std::string>& mistakes,
+                   std::set<const MeshData*>& valid_meshes)
+        : scene_(scene), mistakes_(mistakes), valid_meshes_(valid_meshes) {}
 
     void check(const Shape& s) {
         switch (s.kind) {
@@ -94,6 +96,19 @@ class ParameterCheck {
         check_vertices(std::span(scene_.polygon_vertices).subspan(p.first, p.count));
     }
 
+    void check_parameters(const Mesh& shape) {
+        if (shape.mesh >= scene_.meshes.size() || scene_.meshes[shape.mesh] == nullptr)
+            return say("no such mesh");
+        const MeshData* mesh = scene_.meshes[shape.mesh].get();
+        if (valid_meshes_.contains(mesh)) return;
+        std::string mistake = mistake_in(*mesh);
+        if (mistake.empty()) {
+            valid_meshes_.insert(mesh);
+        } else {
+            say(std::move(mistake));
+        }
+    }
+
     void check_vertices(std::span<const Vec3> vertices) {
         for (const Vec3& v : vertices) {
             if (!is_coordinate(v)) return say("expected a vertex within 1e12, found " + text(v));
@@ -102,6 +117,7 @@ class ParameterCheck {
 
     const Scene& scene_;
     std::vector<std::string>& mistakes_;
+    std::set<const MeshData*>& valid_meshes_;
 };
 
 }  // namespace
@@ -110,7 +126,7 @@ std::string text(Vec3 v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
 
 const std::vector<std::string>& ShapeCheck::mistakes(const Shape& shape) {
     mistakes_.clear();
-    ParameterCheck(scene_, mistakes_).check(shape);
+    ParameterCheck(scene_, mistakes_, valid_meshes_).check(shape);
     return mistakes_;
 }
 

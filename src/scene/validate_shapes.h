@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Checks that a shape's parameters are valid for the formulas.
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,7 @@ class ShapeCheck {
   private:
     const Scene& scene_;
     std::vector<std::string> mistakes_;
+    std::set<const MeshData*> valid_meshes_;  // that shapes have, checked once each
 };
 
 }  // namespace glint

@@ -45,7 +45,7 @@ class ShapeEditor {
             find_mistakes(scene_, changed_, now.scene_materials(), options_.threads);
         if (!mistakes.empty()) return refuse(std::move(mistakes));
         if (changed_.empty()) return {};
-        triangulate_polygons();
+        list_triangles();
         // Do everything that may fail before the first write.
         WorldParts& parts = WorldAccess::own(world_);
         PackedGeometry& geometry = parts.geometry.own();
@@ -73,13 +73,14 @@ class ShapeEditor {
         return invalid_scene(to_diagnostics(std::move(mistakes), scene_));
     }
 
-    // Only the primitives of polygons are listed. Other shapes are one primitive each, and need no memory.
-    void triangulate_polygons() {
-        if (scene_.get<Polygon>().empty()) return;
+    // Only the primitives of polygons and meshes are listed. Other shapes are one primitive each, and need no
+    // memory.
+    void list_triangles() {
+        if (!has_elements(scene_)) return;
         first_triangle_.reserve(changed_.size());
         for (const std::uint32_t shape : changed_) {
             first_triangle_.push_back(static_cast<std::uint32_t>(primitives_.list().size()));
-            if (scene_.shapes[shape].kind == ShapeKind::polygon) primitives_.add(shape);
+            if (is_packed_as_triangles(scene_.shapes[shape].kind)) primitives_.add(shape);
         }
     }
 
@@ -99,14 +100,14 @@ class ShapeEditor {
     std::size_t count_primitives(std::size_t i) const {
         const ShapeKind kind = scene_.shapes[changed_[i]].kind;
         if (kind == ShapeKind::cone && !world_.parts().conventions.cones) return 0;
-        if (kind != ShapeKind::polygon) return 1;
+        if (!is_packed_as_triangles(kind)) return 1;
         const std::size_t end = i + 1 < changed_.size() ? first_triangle_[i + 1] : primitives_.list().size();
         return end - first_triangle_[i];
     }
 
-    // first_triangle: used for polygons only.
+    // first_triangle: used for polygons and meshes only.
     Primitive primitive(std::uint32_t shape, std::uint32_t first_triangle, std::size_t element) const {
-        if (scene_.shapes[shape].kind != ShapeKind::polygon) return {shape, k_none, 0};
+        if (!is_packed_as_triangles(scene_.shapes[shape].kind)) return {shape, k_none, 0};
         return primitives_.list()[first_triangle + element];
     }
     // Primitive `element` of changed shape i.
@@ -242,9 +243,9 @@ class ShapeEditor {
     const Scene& scene_;
     const std::span<const std::uint32_t> changed_;
     const PrepareOptions& options_;
-    Primitives primitives_;                      // of the changed polygons
+    Primitives primitives_;                      // of the changed polygons and meshes
     std::vector<float>* colors_ = nullptr;       // of the World, if it has colors to be edited
-    std::vector<std::uint32_t> first_triangle_;  // by changed shape, if the scene has polygons
+    std::vector<std::uint32_t> first_triangle_;  // by changed shape, if the scene has polygons or meshes
 };
 
 }  // namespace

@@ -24,15 +24,16 @@ TEST(Load, UnknownFormatsAreNamed) {
     for (const char* name : {"a.blend", "cgfs", ".cgfs", ""}) {
         const Result<Scene> result = load_text(k_text, name);
         ASSERT_EQ(result.diagnostics.size(), 1u) << name;
-        EXPECT_EQ(
-            result.diagnostics[0].message,
-            "expected a name that ends in one of .cgfs, .json .js, .pov, .nff, .dat, .glint, or the name "
-            "of a format (cgfs, epfl, csc473, povray, nff, tachyon, glint)");
+        EXPECT_EQ(result.diagnostics[0].message,
+                  "expected a name that ends in one of .cgfs, .json .js, .pov, .nff, .dat, .ply, .glint, or "
+                  "the name "
+                  "of a format (cgfs, epfl, csc473, povray, nff, tachyon, ply, glint)");
         EXPECT_EQ(result.diagnostics[0].file, name);
     }
     const SceneText text[] = {{"a", k_text, "pov"}};
-    EXPECT_EQ(load(text).diagnostics.at(0).message,
-              "expected one of the formats cgfs, epfl, csc473, povray, nff, tachyon, glint, found 'pov'");
+    EXPECT_EQ(
+        load(text).diagnostics.at(0).message,
+        "expected one of the formats cgfs, epfl, csc473, povray, nff, tachyon, ply, glint, found 'pov'");
     EXPECT_TRUE(has_errors(load({}).diagnostics));
 }
 

@@ -258,7 +258,31 @@ class RandomScene {
                 s.add(Polygon{first, count}, material, transform);
                 break;
             }
+            case ShapeKind::mesh:
+                if (s.meshes.empty() || pick(2) == 0) make_mesh(s);
+                s.add(Mesh{static_cast<std::uint32_t>(pick(s.meshes.size()))}, material, transform);
+                break;
         }
+    }
+    void make_mesh(Scene& s) {
+        const auto single = [](Vec3 v) {
+            return Float3{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+        };
+        MeshData mesh;
+        const std::size_t vertices = 1 + pick(6);
+        const bool is_single = pick(2) == 0, is_smooth = pick(2) == 0;
+        for (std::size_t i = 0; i < vertices; ++i) {
+            if (is_single) {
+                mesh.single_positions.push_back(single(point()));
+            } else {
+                mesh.positions.push_back(point());
+            }
+            if (is_smooth) mesh.normals.push_back(pick(3) == 0 ? Float3{} : single(direction()));
+        }
+        const auto corner = [&] { return static_cast<std::uint32_t>(pick(vertices)); };
+        for (std::size_t i = 0; i < 1 + pick(4); ++i)
+            mesh.triangles.push_back({corner(), corner(), corner()});
+        s.meshes.push_back(std::make_shared<const MeshData>(std::move(mesh)));
     }
 
     std::mt19937 random_;

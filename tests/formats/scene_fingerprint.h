@@ -40,6 +40,14 @@ class SceneFingerprint {
     void add(const Box& c) { add(c.min), add(c.max); }
     void add(const Triangle& t) { add(std::span(t.vertices)); }
     void add(const SmoothTriangle& t) { add(std::span(t.vertices)), add(std::span(t.normals)); }
+    void add(const Mesh& m) {
+        const MeshData& mesh = *s_.meshes[m.mesh];
+        for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) add(mesh.position(v));
+        for (const Float3& n : mesh.normals) add(to_vec3(n));
+        for (const auto& t : mesh.triangles) {
+            for (const std::uint32_t v : t) add(static_cast<double>(v));
+        }
+    }
     void add(const Polygon& p) { add(std::span(s_.polygon_vertices).subspan(p.first, p.count)); }
     void add(const Material& m) {
         add(m.color), add(m.ambient), add(m.diffuse), add(m.specular), add(m.shininess), add(m.mirror);

@@ -89,6 +89,13 @@ void move(Scene& scene, std::uint32_t index, Vec3 by) {
             for (std::uint32_t i = 0; i < p.count; ++i) move_all({&scene.polygon_vertices[p.first + i]});
             return;
         }
+        case ShapeKind::mesh: {
+            auto& mesh = scene.meshes[parameters<Mesh>(scene, shape).mesh];
+            MeshData moved = *mesh;
+            for (Vec3& v : moved.positions) v = v + by;
+            mesh = std::make_shared<const MeshData>(std::move(moved));
+            return;
+        }
     }
 }
 

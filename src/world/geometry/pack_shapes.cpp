@@ -23,7 +23,7 @@ class Packer {
     Packer(const Scene& scene, bool cones, const PrepareOptions& options)
         : options_(options), primitives_(scene) {
         primitives_.add_all(cones);
-        has_elements_ = !scene.get<Polygon>().empty();
+        has_elements_ = has_elements(scene);
         geometry_.scene_shapes = static_cast<std::uint32_t>(scene.shapes.size());
         geometry_.has_cones = !scene.get<Cone>().empty();
     }

@@ -44,8 +44,20 @@ const AllClassTraits& class_traits() {
     return all;
 }
 
+bool has_elements(const Scene& scene) { return !scene.get<Polygon>().empty() || !scene.get<Mesh>().empty(); }
+
+const MeshData& Primitives::mesh_of(const Shape& shape) const {
+    return *scene_.meshes[scene_.get<Mesh>()[shape.index].mesh];
+}
+
 void Primitives::add(std::uint32_t index) {
     const Shape& shape = scene_.shapes[index];
+    if (shape.kind == ShapeKind::mesh) {
+        const auto count = static_cast<std::uint32_t>(mesh_of(shape).triangles.size());
+        for (std::uint32_t triangle = 0; triangle < count; ++triangle)
+            list_.push_back({index, k_none, triangle});
+        return;
+    }
     if (shape.kind != ShapeKind::polygon) {
         list_.push_back({index, k_none, 0});
         return;
@@ -66,7 +78,10 @@ void Primitives::add_all(bool cones) {
 
 int Primitives::class_of(const Primitive& primitive) const {
     const Shape& s = scene_.shapes[primitive.shape];
-    const ShapeKind kind = primitive.triangle == k_none ? s.kind : ShapeKind::triangle;
+    ShapeKind kind = s.kind;
+    if (kind == ShapeKind::polygon) kind = ShapeKind::triangle;
+    if (kind == ShapeKind::mesh)
+        kind = mesh_of(s).is_smooth(primitive.element) ? ShapeKind::smooth_triangle : ShapeKind::triangle;
     const int plain = 2 * static_cast<int>(kind);
     return plain + (s.transform != k_none && !class_traits()[static_cast<std::size_t>(plain)].bakes_transform
                         ? 1
@@ -98,10 +113,21 @@ template <class Visit> void Primitives::with_parameters(const Primitive& primiti
     const Shape& shape = scene_.shapes[primitive.shape];
     if (primitive.triangle != k_none)
         return visit_transformed(shape, triangles_[primitive.triangle], TriangleGeometry(), visit);
+    if (shape.kind == ShapeKind::mesh) {
+        const MeshData& mesh = mesh_of(shape);
+        const auto& [a, b, c] = mesh.triangles[primitive.element];
+        const Triangle flat{{mesh.position(a), mesh.position(b), mesh.position(c)}};
+        if (!mesh.is_smooth(primitive.element))
+            return visit_transformed(shape, flat, TriangleGeometry(), visit);
+        const SmoothTriangle smooth{
+            {flat.vertices[0], flat.vertices[1], flat.vertices[2]},
+            {to_vec3(mesh.normals[a]), to_vec3(mesh.normals[b]), to_vec3(mesh.normals[c])}};
+        return visit_transformed(shape, smooth, SmoothTriangleGeometry(), visit);
+    }
     switch (shape.kind) {
 #define GLINT_KIND(Type, word)                                                                  \
     case ShapeKind::word:                                                                       \
-        if constexpr (!std::is_same_v<Type, Polygon>) {                                         \
+        if constexpr (k_is_packed<Type##Geometry>) {                                            \
             visit_transformed(shape, scene_.get<Type>()[shape.index], Type##Geometry(), visit); \
         }                                                                                       \
         break;
@@ -166,7 +192,7 @@ int Primitives::pack(const Primitive& primitive, double* values) const {
 }
 
 bool is_closed(const Scene& scene, std::uint32_t shape) {
-    if (scene.shapes[shape].kind == ShapeKind::polygon) return false;
+    if (is_packed_as_triangles(scene.shapes[shape].kind)) return false;
     return !Primitives(scene).is_open({shape, k_none, 0});
 }
 

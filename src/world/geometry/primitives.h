@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The primitives of a scene's shapes: one per shape, or one per triangle of a polygon.
+// The primitives of a scene's shapes: one per shape, or one per triangle of a polygon or mesh.
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -18,8 +18,15 @@ inline constexpr int k_primitive_classes = 2 * k_shape_kinds;
 struct Primitive {
     std::uint32_t shape = 0;          // the index in Scene::shapes
     std::uint32_t triangle = k_none;  // for a polygon: the index in Primitives::triangles
-    std::uint32_t element = 0;        // SurfaceId::element: for a polygon, the triangle's number
+    std::uint32_t element = 0;        // SurfaceId::element: the number of the polygon's or mesh's triangle
 };
+
+/// Whether shapes of this kind are packed as triangles: their primitives are their elements.
+constexpr bool is_packed_as_triangles(ShapeKind kind) {
+    return kind == ShapeKind::polygon || kind == ShapeKind::mesh;
+}
+/// Whether the scene has such shapes.
+bool has_elements(const Scene& scene);
 
 /// Properties of a class.
 struct ClassTraits {
@@ -67,6 +74,7 @@ class Primitives {
     void visit_transformed(const Shape& shape, const Parameters& parameters, Geometry geometry,
                            Visit&& visit) const;
     template <class Visit> void with_parameters(const Primitive& primitive, Visit&& visit) const;
+    const MeshData& mesh_of(const Shape& shape) const;
 
     const Scene& scene_;
     std::vector<Primitive> list_;

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mesh.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace glint::python {
+namespace {
+
+template <class T> using Rows = py::array_t<T, py::array::c_style | py::array::forcecast>;
+
+// An array of N x 3 numbers. The error names the argument.
+template <class T> Rows<T> to_rows(const py::object& value, const char* name) {
+    Rows<T> rows = Rows<T>::ensure(value);
+    if (!rows) {
+        PyErr_Clear();
+        throw py::type_error(fmt::format("{}: expected an array of N x 3 numbers", name));
+    }
+    if (rows.ndim() != 2 || rows.shape(1) != 3) {
+        throw py::value_error(
+            fmt::format("{}: expected an array of N x 3 numbers, found {} dimensions{}", name, rows.ndim(),
+                        rows.ndim() == 2 ? fmt::format(", {} columns", rows.shape(1)) : ""));
+    }
+    return rows;
+}
+
+template <class T, class Item> std::vector<Item> items_of(const Rows<T>& rows) {
+    static_assert(sizeof(Item) == 3 * sizeof(T));
+    std::vector<Item> items(static_cast<std::size_t>(rows.shape(0)));
+    const T* from = rows.data();
+    for (Item& item : items) {
+        T* const to = reinterpret_cast<T*>(&item);
+        std::copy_n(from, 3, to);
+        from += 3;
+    }
+    return items;
+}
+
+bool is_float32(const py::object& value) {
+    return py::isinstance<py::array>(value) && py::isinstance<py::array_t<float>>(value);
+}
+
+std::shared_ptr<const MeshData> make_data(const py::object& vertices, const py::object& triangles,
+                                          const py::object& normals) {
+    auto data = std::make_shared<MeshData>();
+    if (is_float32(vertices)) {
+        data->single_positions = items_of<float, Float3>(to_rows<float>(vertices, "vertices"));
+    } else {
+        data->positions = items_of<double, Vec3>(to_rows<double>(vertices, "vertices"));
+    }
+    // As 64-bit numbers, so that a negative one is not taken for a large one.
+    const Rows<std::int64_t> corners = to_rows<std::int64_t>(triangles, "triangles");
+    const auto count = static_cast<std::int64_t>(data->vertex_count());
+    data->triangles.reserve(static_cast<std::size_t>(corners.shape(0)));
+    const std::int64_t* at = corners.data();
+    for (py::ssize_t i = 0; i < corners.shape(0); ++i, at += 3) {
+        for (int k = 0; k < 3; ++k) {
+            if (at[k] < 0 || at[k] >= count)
+                throw py::value_error(fmt::format(
+                    "triangles: triangle {}: expected a vertex below {}, found {}", i, count, at[k]));
+        }
+        data->triangles.push_back({static_cast<std::uint32_t>(at[0]), static_cast<std::uint32_t>(at[1]),
+                                   static_cast<std::uint32_t>(at[2])});
+    }
+    if (!normals.is_none()) data->normals = items_of<float, Float3>(to_rows<float>(normals, "normals"));
+    if (!data->normals.empty() && data->normals.size() != data->vertex_count()) {
+        throw py::value_error(fmt::format("normals: expected {}, one for each vertex, found {}",
+                                          data->vertex_count(), data->normals.size()));
+    }
+    return data;
+}
+
+// A read-only view of a list, which keeps the data alive.
+template <class T, class Item>
+py::object rows_of(const std::vector<Item>& items, const std::shared_ptr<const MeshData>& data) {
+    const py::capsule owner(new std::shared_ptr<const MeshData>(data),
+                            [](void* held) { delete static_cast<std::shared_ptr<const MeshData>*>(held); });
+    py::array_t<T> rows({static_cast<py::ssize_t>(items.size()), py::ssize_t{3}},
+                        reinterpret_cast<const T*>(items.data()), owner);
+    rows.attr("flags").attr("writeable") = false;
+    return std::move(rows);
+}
+
+std::uint32_t index_in(Scene& scene, const std::shared_ptr<const MeshData>& data) {
+    const auto found = std::find(scene.meshes.begin(), scene.meshes.end(), data);
+    if (found == scene.meshes.end()) {
+        scene.meshes.push_back(data);
+        return static_cast<std::uint32_t>(scene.meshes.size() - 1);
+    }
+    return static_cast<std::uint32_t>(found - scene.meshes.begin());
+}
+
+}  // namespace
+
+bool MeshBox::is_shape(const Scene& scene, std::uint32_t index) const {
+    const Shape& shape = scene.shapes[index];
+    return shape.kind == ShapeKind::mesh && scene.meshes[scene.get<Mesh>()[shape.index].mesh] == data;
+}
+void MeshBox::write(Scene& scene, std::uint32_t index) const {
+    append(scene);
+    const std::uint32_t last = scene.shapes.back().index;
+    scene.shapes.pop_back();
+    scene.shapes[index].kind = ShapeKind::mesh;
+    scene.shapes[index].index = last;
+}
+void MeshBox::append(Scene& scene) const { scene.add(Mesh{index_in(scene, data)}); }
+std::string MeshBox::text() const {
+    return fmt::format("<{} vertices, {} triangles>", data->vertex_count(), data->triangles.size());
+}
+bool MeshBox::same(const ShapeBox& other) const {
+    const auto* mesh = dynamic_cast<const MeshBox*>(&other);
+    return mesh != nullptr && (mesh->data == data || *mesh->data == *data);
+}
+
+void bind_mesh(py::module_& m) {
+    py::class_<MeshBox, ShapeBox, std::shared_ptr<MeshBox>>(
+        m, "Mesh",
+        "Mesh(vertices, triangles, normals=None): triangles with common vertices. The data does not change; "
+        "copies of a mesh share it.")
+        .def(py::init([](const py::object& vertices, const py::object& triangles, const py::object& normals,
+                         const py::kwargs& keywords) {
+                 auto shape = std::make_shared<MeshBox>();
+                 shape->data = make_data(vertices, triangles, normals);
+                 for (const auto& [key, value] : keywords)
+                     if (!set_common(*shape, py::str(key), value))
+                         throw py::type_error("mesh has no attribute " + py::repr(key).cast<std::string>());
+                 return shape;
+             }),
+             py::arg("vertices"), py::arg("triangles"), py::arg("normals") = py::none())
+        .def_property_readonly(
+            "vertices",
+            [](const MeshBox& mesh) -> py::object {
+                if (mesh.data->single_positions.empty())
+                    return rows_of<double>(mesh.data->positions, mesh.data);
+                return rows_of<float>(mesh.data->single_positions, mesh.data);
+            },
+            "Points in object coordinates, as an N x 3 array, of float32 if they were given so, else of "
+            "float64")
+        .def_property_readonly(
+            "triangles",
+            [](const MeshBox& mesh) { return rows_of<std::uint32_t>(mesh.data->triangles, mesh.data); },
+            "Numbers of vertices, as an N x 3 array; counter-clockwise around the normal")
+        .def_property_readonly(
+            "normals",
+            [](const MeshBox& mesh) -> py::object {
+                if (mesh.data->normals.empty()) return py::none();
+                return rows_of<float>(mesh.data->normals, mesh.data);
+            },
+            "By vertex, of any length, as an N x 3 array of float32; None: the triangles are flat");
+}
+
+}  // namespace glint::python

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/glint_mesh.h"
+
+#include <algorithm>
+
+#include "formats/mesh_file.h"
+
+namespace glint {
+namespace {
+
+constexpr Range k_vertex{0, 4294967294.0, false, false, "a whole number from 0 to 4294967294"};
+
+Float3 to_single(Vec3 v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+}  // namespace
+
+bool MeshText::read_key(int field, const Token& key) {
+    if (field == 0) {
+        const Token name = t_.p.token();
+        if (name.kind != TokenKind::string) {
+            t_.p.expected("the name of a file in quotes");
+            return false;
+        }
+        t_.p.take();
+        file_ = name;
+        return true;
+    }
+    has_lists_ = true;
+    if (field == 3) return read_triangles();
+    (void)key;
+    return read_points(field == 1 ? mesh_.positions : normals_);
+}
+
+bool MeshText::read_points(std::vector<Vec3>& points) {
+    points.clear();
+    return read_list(t_, "points `(x, y, z)`", [&] {
+        Vec3 p;
+        if (!read_point(t_, p)) return false;
+        points.push_back(p);
+        return true;
+    });
+}
+
+bool MeshText::read_triangles() {
+    mesh_.triangles.clear();
+    return read_list(t_, "triangles `(a, b, c)` of numbers of vertices", [&] {
+        double corners[3] = {};
+        const Token at = t_.p.token();
+        if (!t_.p.triple(corners, k_vertex, '(', ')')) return false;
+        std::array<std::uint32_t, 3> triangle{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            triangle[i] = static_cast<std::uint32_t>(corners[i]);
+            if (static_cast<double>(triangle[i]) != corners[i])
+                t_.p.error(at, fmt::format("expected whole numbers of vertices, found {}", corners[i]));
+        }
+        mesh_.triangles.push_back(triangle);
+        return true;
+    });
+}
+
+std::optional<std::uint32_t> MeshText::mesh_index(const Token& word) {
+    if (file_ && has_lists_) {
+        t_.p.error(word, "expected a mesh of a file or of lists, found both");
+        return std::nullopt;
+    }
+    if (file_) {
+        return mesh_of_file(t_.reading, t_.text, *file_, std::string(t_.p.name(*file_)));
+    }
+    if (!has_lists_ || mesh_.positions.empty() || mesh_.triangles.empty()) {
+        t_.p.error(word, "expected a mesh's `file`, or its `vertices` and `triangles`");
+        return std::nullopt;
+    }
+    for (const Vec3& n : normals_) mesh_.normals.push_back(to_single(n));
+    const bool is_single = std::all_of(mesh_.positions.begin(), mesh_.positions.end(),
+                                       [](const Vec3& p) { return to_vec3(to_single(p)) == p; });
+    if (is_single) {
+        for (const Vec3& p : mesh_.positions) mesh_.single_positions.push_back(to_single(p));
+        mesh_.positions = {};
+    }
+    t_.scene.meshes.push_back(std::make_shared<const MeshData>(std::move(mesh_)));
+    return static_cast<std::uint32_t>(t_.scene.meshes.size() - 1);
+}
+
+}  // namespace glint

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The keys of a mesh's block in .glint.
+#include <optional>
+
+#include "formats/glint_text.h"
+#include "glint/mesh.h"
+
+namespace glint {
+
+class MeshText {
+  public:
+    explicit MeshText(GlintText& t) : t_(t) {}
+
+    /// Reads the value of key number `field`: file, vertices, normals, triangles. False if there is none.
+    bool read_key(int field, const Token& key);
+    /// The index in Scene::meshes, once all keys are read. Nothing after an error, reported at the block's
+    /// word if it is of the block.
+    std::optional<std::uint32_t> mesh_index(const Token& word);
+
+  private:
+    bool read_points(std::vector<Vec3>& points);
+    bool read_triangles();
+
+    GlintText& t_;
+    std::optional<Token> file_;
+    bool has_lists_ = false;
+    std::vector<Vec3> normals_;
+    MeshData mesh_;
+};
+
+}  // namespace glint

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/mesh_file.h"
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "formats/include.h"
+#include "formats/registry.h"
+#include "math/extent.h"
+#include "math/transform.h"
+
+namespace glint {
+namespace {
+
+// A mesh without a camera is seen from the front, a little from the right and from above, at the distance
+// from which a sphere around it touches two sides of the picture.
+constexpr double k_fov_degrees = 40;
+constexpr double k_distance = 2.9238044001630876;  // 1 / sin(k_fov_degrees / 2), of the sphere's radius
+constexpr Vec3 k_to_eye{0.5, 0.4, 1};
+// The main light is above the eye, to its left. A weaker one, without shadows, comes from the eye.
+constexpr Vec3 k_to_light{-0.25, 1.2, 1};
+constexpr double k_main_light = 0.8, k_eye_light = 0.2;
+
+std::optional<std::uint32_t> mesh_of_text(LoadState& reading, const ReadText& text) {
+    if (const auto known = reading.meshes.find(text.file); known != reading.meshes.end())
+        return known->second;
+    std::shared_ptr<const MeshData> mesh = read_ply_mesh(reading, text.place);
+    if (!mesh) return std::nullopt;
+    const auto index = static_cast<std::uint32_t>(reading.scene.meshes.size());
+    reading.scene.meshes.push_back(std::move(mesh));
+    reading.meshes.emplace(text.file, index);
+    return index;
+}
+
+template <class Visit> void for_each_vertex(const Scene& scene, const Visit& visit) {
+    for (const auto& mesh : scene.meshes) {
+        const auto count = static_cast<std::uint32_t>(mesh->vertex_count());
+        for (std::uint32_t v = 0; v < count; ++v) visit(mesh->position(v));
+    }
+}
+
+void place_camera(Scene& scene) {
+    Extent box;
+    for_each_vertex(scene, [&](Vec3 v) { box.add(v); });
+    const Vec3 middle = (box.lo + box.hi) / 2;
+    double radius = 0;
+    for_each_vertex(scene, [&](Vec3 v) { radius = number::max(radius, length(v - middle)); });
+    if (!(radius > 0)) radius = 1;
+    scene.camera.look_at = middle;
+    scene.camera.position = middle + normalize(k_to_eye) * (radius * k_distance);
+    scene.camera.fov_degrees = k_fov_degrees;
+    scene.camera.fov_axis = scene.settings.width <= scene.settings.height ? FovAxis::x : FovAxis::y;
+}
+
+}  // namespace
+
+void read_mesh_text(LoadState& reading, const ReadText& text) {
+    const auto mesh = mesh_of_text(reading, text);
+    if (!mesh) return;
+    const std::uint32_t shape = reading.scene.add(Mesh{*mesh});
+    note(reading.scene.shape_texts, shape, {1, 1, text.file});
+    if (!text.is_included) reading.is_mesh_alone = true;
+}
+
+std::optional<std::uint32_t> mesh_of_file(LoadState& reading, const ReadText& from, const Token& at,
+                                          const std::string& name) {
+    std::string why;
+    const Format* const format = find_format({name, {}, {}}, why);
+    if (format == nullptr || format->read != read_ply) {
+        reading.diagnostics.error(
+            from.place, at.offset, at.length,
+            fmt::format("{}: expected the name of a file that ends in .ply", quoted(name)));
+        return std::nullopt;
+    }
+    const auto text = open_text(reading, from, at, name);
+    return text ? mesh_of_text(reading, *text) : std::nullopt;
+}
+
+void set_mesh_defaults(Scene&) {}
+
+void finish_mesh(LoadState& reading) {
+    if (!reading.is_mesh_alone || reading.diagnostics.any_errors()) return;
+    Scene& scene = reading.scene;
+    if (!reading.camera_given) place_camera(scene);
+    if (!scene.lights.empty()) return;
+    Light ambient;
+    ambient.kind = LightKind::ambient;
+    const auto directional = [](Vec3 to_light, double strength, bool casts_shadows) {
+        Light light;
+        light.kind = LightKind::directional;
+        light.to_light = to_light;
+        light.color = light.specular_color = Color{strength, strength, strength};
+        light.casts_shadows = casts_shadows;
+        return light;
+    };
+    scene.lights = {ambient, directional(k_to_light, k_main_light, true),
+                    directional(k_to_eye, k_eye_light, false)};
+}
+
+}  // namespace glint

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Files of meshes: as scenes of their own, and as the meshes of scenes.
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "formats/load_state.h"
+#include "glint/mesh.h"
+
+namespace glint {
+
+/// Reads a .ply. Null after an error.
+std::shared_ptr<const MeshData> read_ply_mesh(LoadState& reading, InputText where);
+
+/// Adds the mesh of a text to the scene, as a shape with the default material.
+void read_mesh_text(LoadState& reading, const ReadText& text);
+
+/// The index in Scene::meshes of the mesh in file `name`, relative to the text `from`; a file is read once.
+/// Nothing after an error; one of the file's name is reported at `at`.
+std::optional<std::uint32_t> mesh_of_file(LoadState& reading, const ReadText& from, const Token& at,
+                                          const std::string& name);
+
+}  // namespace glint

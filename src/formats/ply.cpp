@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: Apache-2.0
+// .ply: Stanford's polygon files, as text or binary. docs/formats/ply.md.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <limits>
+
+#include "base/text.h"
+#include "formats/mesh_file.h"
+#include "formats/number_text.h"
+#include "formats/ply_header.h"
+#include "formats/registry.h"
+
+namespace glint {
+namespace {
+
+// Numbers of a text, separated by blanks.
+class TextNumbers {
+  public:
+    TextNumbers(std::string_view text, std::size_t from)
+        : text_(text), at_(text.data() + from), start_(at_) {}
+
+    std::size_t offset() const { return static_cast<std::size_t>(at_ - text_.data()); }
+    /// Of the number that next() has read or has not found.
+    std::size_t start() const { return static_cast<std::size_t>(start_ - text_.data()); }
+    std::string_view found() const {
+        const std::string_view rest = text_.substr(start());
+        return rest.substr(0, rest.find_first_of(" \t\r\n"));
+    }
+    bool next(PlyType, double& value) {
+        const char* const end = text_.data() + text_.size();
+        while (at_ != end && is_blank(*at_)) ++at_;
+        start_ = at_;
+        const char* from = at_ != end && *at_ == '+' ? at_ + 1 : at_;
+        if (from == end) return false;
+        const char* after = read_short_number(from, end, value, [](char c) { return !is_blank(c); });
+        if (after == nullptr) after = read_any_number(from, end, value);
+        if (after == from || (after != end && !is_blank(*after))) return false;
+        at_ = after;
+        return true;
+    }
+
+  private:
+    static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+    std::string_view text_;
+    const char* at_;
+    const char* start_;
+};
+
+// Binary numbers.
+template <bool swapped> class BinaryNumbers {
+  public:
+    BinaryNumbers(std::string_view text, std::size_t from) : text_(text), at_(from) {}
+
+    std::size_t offset() const { return at_; }
+    bool next(PlyType type, double& value) {
+        switch (type) {
+            case PlyType::int8:
+                return take<std::int8_t>(value);
+            case PlyType::uint8:
+                return take<std::uint8_t>(value);
+            case PlyType::int16:
+                return take<std::int16_t>(value);
+            case PlyType::uint16:
+                return take<std::uint16_t>(value);
+            case PlyType::int32:
+                return take<std::int32_t>(value);
+            case PlyType::uint32:
+                return take<std::uint32_t>(value);
+            case PlyType::float32:
+                return take<float>(value);
+            case PlyType::float64:
+                return take<double>(value);
+        }
+        return false;
+    }
+
+  private:
+    template <class T> bool take(double& value) {
+        std::array<char, sizeof(T)> bytes;
+        if (text_.size() - at_ < sizeof(T)) return false;
+        std::memcpy(bytes.data(), text_.data() + at_, sizeof(T));
+        if constexpr (swapped) std::reverse(bytes.begin(), bytes.end());
+        value = static_cast<double>(std::bit_cast<T>(bytes));
+        at_ += sizeof(T);
+        return true;
+    }
+    std::string_view text_;
+    std::size_t at_;
+};
+
+// What a property of a vertex becomes: a coordinate of the position or of the normal, or nothing.
+int vertex_column(std::string_view name) {
+    constexpr std::string_view names[] = {"x", "y", "z", "nx", "ny", "nz"};
+    const auto found = std::find(std::begin(names), std::end(names), name);
+    return found == std::end(names) ? -1 : static_cast<int>(found - names);
+}
+
+// Whether every number of the type is one of single precision.
+bool is_single(PlyType type) {
+    return type != PlyType::float64 && type != PlyType::int32 && type != PlyType::uint32;
+}
+
+// Of a number from 0 to 2^32 - 1.
+bool is_whole(double x) { return x == static_cast<double>(static_cast<std::uint32_t>(x)); }
+
+template <class Numbers> class PlyBody {
+  public:
+    PlyBody(LoadState& reading, InputText where, const PlyHeader& header)
+        : reading_(reading), where_(where), header_(header), numbers_(where.text, header.end) {}
+
+    std::shared_ptr<const MeshData> read() {
+        for (const PlyElement& element : header_.elements) {
+            if (!read(element)) return nullptr;
+        }
+        if (mesh_->triangles.empty()) {
+            error_at(0, 3,
+                     is_cloud() ? "no faces: a cloud of points has no surface to render"
+                                : "no face with three vertices");
+            return nullptr;
+        }
+        if (small_faces_ > 0) {
+            reading_.diagnostics.warn(
+                where_, 0, 3,
+                fmt::format("{} faces with fewer than three vertices are left out", small_faces_));
+        }
+        return std::move(mesh_);
+    }
+
+  private:
+    bool is_cloud() const {
+        return std::none_of(header_.elements.begin(), header_.elements.end(),
+                            [](const PlyElement& e) { return e.name == "face" && e.count > 0; });
+    }
+    void error_at(std::size_t offset, std::size_t length, std::string message) {
+        reading_.diagnostics.error(where_, offset, length, std::move(message));
+    }
+    bool fail(std::string message) {
+        // Lines of binary numbers mean nothing: the error has the place of the element in the header.
+        if constexpr (std::is_same_v<Numbers, TextNumbers>) {
+            const std::size_t length = std::max<std::size_t>(numbers_.found().size(), 1);
+            error_at(numbers_.start(), length, fmt::format("{} {}: {}", element_->name, index_, message));
+        } else {
+            error_at(element_->offset, element_->length,
+                     fmt::format("byte {}, {} {}: {}", numbers_.offset(), element_->name, index_, message));
+        }
+        return false;
+    }
+    bool number(PlyType type, double& value) {
+        if (numbers_.next(type, value)) return true;
+        if constexpr (std::is_same_v<Numbers, TextNumbers>) {
+            if (!numbers_.found().empty())
+                return fail("expected a number, found " + quoted(numbers_.found()));
+        }
+        return fail("the file ends here");
+    }
+    // The length of a list.
+    bool length(const PlyProperty& list, double& count) {
+        if (!number(*list.count_type, count)) return false;
+        if (count >= 0 && count <= k_max_corners && is_whole(count)) return true;
+        return fail(fmt::format("expected a list of 0 to {} numbers, found {}", k_max_corners, count));
+    }
+    bool skip(const PlyProperty& p) {
+        double value = 0, count = 1;
+        if (p.count_type && !length(p, count)) return false;
+        for (; count > 0; --count) {
+            if (!number(p.type, value)) return false;
+        }
+        return true;
+    }
+    // Called for each element: whether to go on.
+    bool goes_on() { return index_ % 65536 != 0 || reading_.diagnostics.go_on(where_, numbers_.offset()); }
+
+    bool read(const PlyElement& element) {
+        element_ = &element;
+        index_ = 0;
+        const std::size_t least = element.least_bytes(header_.coding);
+        const std::size_t rest = where_.text.size() - std::min(numbers_.offset(), where_.text.size());
+        // The last number of a text needs no blank after it.
+        const std::uint64_t room = least == 0 ? 0 : (rest + 1) / least;
+        if (least > 0 && element.count > room) {
+            error_at(element.offset, element.length,
+                     fmt::format("expected {} times `{}`, found a file with room for {} at most",
+                                 element.count, printable(element.name), room));
+            return false;
+        }
+        if (least == 0) return true;
+        if (element.name == "vertex") return read_vertices();
+        if (element.name == "face") return read_faces();
+        for (; index_ < element.count && goes_on(); ++index_) {
+            for (const PlyProperty& p : element.properties) {
+                if (!skip(p)) return false;
+            }
+        }
+        return !reading_.diagnostics.full();
+    }
+
+    bool read_vertices() {
+        const auto count = static_cast<std::size_t>(element_->count);
+        if (count >= k_none) {
+            error_at(element_->offset, element_->length, "expected fewer than 4294967295 vertices");
+            return false;
+        }
+        bool single = true;
+        for (const char* const name : {"x", "y", "z"}) {
+            const PlyProperty* const p = element_->find(name);
+            if (p == nullptr || p->count_type) {
+                error_at(element_->offset, element_->length,
+                         fmt::format("expected the properties x, y and z of a vertex, found no {}", name));
+                return false;
+            }
+            single = single && is_single(p->type);
+        }
+        const bool has_normals = element_->find("nx") != nullptr && element_->find("ny") != nullptr &&
+                                 element_->find("nz") != nullptr;
+        if (element_->find("red") != nullptr || element_->find("diffuse_red") != nullptr) {
+            reading_.diagnostics.warn_once("ply colors", where_, element_->offset, element_->length,
+                                           "glint does not render the colors of vertices yet");
+        }
+        MeshData& mesh = *mesh_;
+        if (single) {
+            mesh.single_positions.reserve(count);
+        } else {
+            mesh.positions.reserve(count);
+        }
+        if (has_normals) mesh.normals.reserve(count);
+        std::vector<int> columns;
+        for (const PlyProperty& p : element_->properties)
+            columns.push_back(p.count_type ? -1 : vertex_column(p.name));
+        for (; index_ < count && goes_on(); ++index_) {
+            double v[6] = {};
+            for (std::size_t i = 0; i < columns.size(); ++i) {
+                const PlyProperty& p = element_->properties[i];
+                double value = 0;
+                if (p.count_type ? !skip(p) : !number(p.type, value)) return false;
+                if (columns[i] >= 0) v[columns[i]] = value;
+            }
+            if (single) {
+                mesh.single_positions.push_back(to_single(v));
+            } else {
+                mesh.positions.push_back({v[0], v[1], v[2]});
+            }
+            if (has_normals) mesh.normals.push_back(to_single(v + 3));
+        }
+        return !reading_.diagnostics.full();
+    }
+    static Float3 to_single(const double* v) {
+        return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
+    }
+
+    bool read_faces() {
+        const PlyProperty* corners = element_->find("vertex_indices");
+        if (corners == nullptr) corners = element_->find("vertex_index");
+        if (corners == nullptr || !corners->count_type) {
+            error_at(element_->offset, element_->length,
+                     "expected the list `vertex_indices` of a face, found none");
+            return false;
+        }
+        std::uint64_t vertices = 0;
+        for (const PlyElement& e : header_.elements) {
+            if (e.name == "vertex") vertices = e.count;
+        }
+        mesh_->triangles.reserve(static_cast<std::size_t>(element_->count));
+        for (; index_ < element_->count && goes_on(); ++index_) {
+            for (const PlyProperty& p : element_->properties) {
+                if (&p == corners ? !read_face(p, vertices) : !skip(p)) return false;
+            }
+        }
+        return !reading_.diagnostics.full();
+    }
+
+    // A face with more than three corners becomes triangles that have its first corner in common.
+    bool read_face(const PlyProperty& corners, std::uint64_t vertices) {
+        double count = 0;
+        if (!length(corners, count)) return false;
+        std::uint32_t first = 0, before = 0;
+        for (int i = 0; i < static_cast<int>(count); ++i) {
+            double value = 0;
+            if (!number(corners.type, value)) return false;
+            if (!(value >= 0 && value < static_cast<double>(vertices)) || !is_whole(value))
+                return fail(fmt::format("expected a vertex from 0 to {}, found {}",
+                                        static_cast<std::int64_t>(vertices) - 1, value));
+            const auto corner = static_cast<std::uint32_t>(value);
+            if (i == 0) first = corner;
+            if (i >= 2) mesh_->triangles.push_back({first, before, corner});
+            before = corner;
+        }
+        small_faces_ += count < 3 ? 1 : 0;
+        return true;
+    }
+
+    static constexpr double k_max_corners = 1e6;
+    LoadState& reading_;
+    InputText where_;
+    const PlyHeader& header_;
+    Numbers numbers_;
+    const PlyElement* element_ = nullptr;
+    std::uint64_t index_ = 0;  // of the element's
+    std::uint64_t small_faces_ = 0;
+    std::shared_ptr<MeshData> mesh_ = std::make_shared<MeshData>();
+};
+
+}  // namespace
+
+std::shared_ptr<const MeshData> read_ply_mesh(LoadState& reading, InputText where) {
+    static_assert(std::endian::native == std::endian::little);
+    const std::optional<PlyHeader> header = read_ply_header(reading, where);
+    if (!header) return nullptr;
+    switch (header->coding) {
+        case PlyCoding::ascii:
+            return PlyBody<TextNumbers>(reading, where, *header).read();
+        case PlyCoding::little_endian:
+            return PlyBody<BinaryNumbers<false>>(reading, where, *header).read();
+        case PlyCoding::big_endian:
+            return PlyBody<BinaryNumbers<true>>(reading, where, *header).read();
+    }
+    return nullptr;
+}
+
+void read_ply(LoadState& reading, const ReadText& text) { read_mesh_text(reading, text); }
+
+}  // namespace glint

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+// .ply: headers, the three codings, faces and mistakes.
+#include <bit>
+#include <cstring>
+
+#include "formats/mistakes.h"
+#include "math/transform.h"
+
+namespace glint::test {
+namespace {
+
+constexpr std::string_view k_square =
+    "ply\nformat ascii 1.0\ncomment made by hand\nelement vertex 4\nproperty float x\nproperty float y\n"
+    "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+    "0 0 0\n1 0 0\n1 1 0.5\n0 1 0\n4 0 1 2 3\n";
+
+Result<Scene> read(std::string_view text) { return load_text(text, "a.ply"); }
+
+const MeshData& mesh_of(const Scene& scene) {
+    EXPECT_EQ(scene.meshes.size(), 1u);
+    return *scene.meshes.at(0);
+}
+
+TEST(Ply, AFileIsASceneWithCameraAndLights) {
+    const Scene scene = quiet_scene(k_square, "a.ply");
+    const MeshData& mesh = mesh_of(scene);
+    EXPECT_EQ(mesh.single_positions, (std::vector<Float3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0.5F}, {0, 1, 0}}));
+    EXPECT_TRUE(mesh.positions.empty()) << "in the precision of the file";
+    using Triangle3 = std::array<std::uint32_t, 3>;
+    EXPECT_EQ(mesh.triangles, (std::vector<Triangle3>{{0, 1, 2}, {0, 2, 3}}));
+    ASSERT_EQ(scene.shapes.size(), 1u);
+    EXPECT_EQ(scene.shapes[0].kind, ShapeKind::mesh);
+    EXPECT_EQ(scene.camera.look_at, (Vec3{0.5, 0.5, 0.25}));
+    // The sphere around the vertices touches the upper and lower side of the picture.
+    const double radius = length(Vec3{0.5, 0.5, 0.25});
+    const double distance = length(scene.camera.position - scene.camera.look_at);
+    EXPECT_NEAR(std::asin(radius / distance) * 2 * 180 / M_PI, scene.camera.fov_degrees, 1e-12);
+    ASSERT_EQ(scene.lights.size(), 3u);
+    EXPECT_EQ(scene.lights[1].kind, LightKind::directional);
+}
+
+// A binary file with every type of number, in one order of bytes.
+template <class T> void put(std::string& to, T value, bool swapped) {
+    char bytes[sizeof value];
+    std::memcpy(bytes, &value, sizeof value);
+    if (swapped) std::reverse(std::begin(bytes), std::end(bytes));
+    to.append(bytes, sizeof value);
+}
+std::string binary_file(bool big) {
+    std::string text = "ply\r\nformat binary_" + std::string(big ? "big" : "little") +
+                       "_endian 1.0\r\nelement vertex 3\r\nproperty double x\r\nproperty uchar red\r\n"
+                       "property float32 y\r\nproperty short z\r\nproperty list uint8 ushort tags\r\n"
+                       "property float nx\r\nproperty float ny\r\nproperty float nz\r\nelement other 2\r\n"
+                       "property int8 a\r\nproperty list int uint b\r\nelement face 2\r\n"
+                       "property uint flags\r\nproperty list uint32 uint32 vertex_index\r\nend_header\r\n";
+    for (int i = 0; i < 3; ++i) {
+        put(text, 0.1 * i, big), put(text, std::uint8_t{200}, big),
+            put(text, 0.5F * static_cast<float>(i * i), big);
+        put(text, static_cast<std::int16_t>(-i), big), put(text, std::uint8_t{2}, big);
+        put(text, std::uint16_t{7}, big), put(text, std::uint16_t{8}, big);
+        for (const float n : {0.F, 0.F, i == 2 ? 0.F : 2.F}) put(text, n, big);
+    }
+    for (int i = 0; i < 2; ++i) {
+        put(text, std::int8_t{-1}, big), put(text, std::int32_t{i}, big);
+        if (i == 1) put(text, std::uint32_t{5}, big);
+    }
+    for (const std::uint32_t corners : {3U, 2U}) {
+        put(text, std::uint32_t{9}, big), put(text, corners, big);
+        for (std::uint32_t i = 0; i < corners; ++i) put(text, corners - 1 - i, big);
+    }
+    return text;
+}
+
+TEST(Ply, BinaryFilesHaveEitherOrderOfBytes) {
+    for (const bool big : {false, true}) {
+        const Result<Scene> result = read(binary_file(big));
+        ASSERT_TRUE(result) << messages(result);
+        const MeshData& mesh = mesh_of(*result);
+        EXPECT_EQ(mesh.positions, (std::vector<Vec3>{{0, 0, 0}, {0.1, 0.5, -1}, {0.2, 2, -2}}));
+        EXPECT_EQ(mesh.normals, (std::vector<Float3>{{0, 0, 2}, {0, 0, 2}, {0, 0, 0}}));
+        EXPECT_FALSE(mesh.is_smooth(0)) << "a corner has the normal 0";
+        ASSERT_EQ(mesh.triangles.size(), 1u);
+        EXPECT_NE(messages(result).find("colors of vertices"), std::string::npos);
+        EXPECT_NE(messages(result).find("1 faces with fewer than three vertices"), std::string::npos);
+    }
+}
+
+TEST(Ply, EveryShortenedFileIsAnError) {
+    for (const std::string& whole : {std::string(k_square), binary_file(false)}) {
+        for (std::size_t length = 0; length + 1 < whole.size(); ++length) {
+            const std::string text = whole.substr(0, length);
+            const Result<Scene> result = read(text);
+            ASSERT_FALSE(result) << length;
+            ASSERT_EQ(what_is_wrong(result, text), "") << length;
+        }
+    }
+}
+
+TEST(Ply, MistakesAreReportedAtTheirPlace) {
+    const auto changed = [](std::string_view from, std::string_view to) {
+        std::string text(k_square);
+        const std::size_t at = text.find(from);
+        EXPECT_NE(at, std::string::npos) << from;
+        return text.replace(at, from.size(), to);
+    };
+    const auto expect_error = [](const std::string& text, const std::string& message) {
+        const Result<Scene> result = read(text);
+        EXPECT_FALSE(result);
+        EXPECT_NE(messages(result).find(message), std::string::npos) << messages(result);
+    };
+    expect_error(changed("ply", "PLY"), "a.ply:1:1: error: expected `ply` in the first line");
+    expect_error(changed("ascii", "utf8"), "a.ply:2:1: error: expected `ascii`");
+    expect_error(changed("vertex 4", "vertex -4"),
+                 "a.ply:4:1: error: expected `element`, a name and a number");
+    expect_error(changed("float x", "real x"), "a.ply:5:1: error: expected a type");
+    expect_error(changed("float x", "float a"), "a.ply:4:1: error: expected the properties x, y and z");
+    expect_error(changed("vertex_indices", "corners"),
+                 "a.ply:8:1: error: expected the list `vertex_indices`");
+    expect_error(changed("vertex 4", "vertex 4000000000"), "with room for");
+    expect_error(changed("1 1 0.5", "1 l 0.5"), "a.ply:13:3: error: vertex 2: expected a number, found 'l'");
+    expect_error(changed("4 0 1 2 3", "4 0 1 2 4"),
+                 "a.ply:15:9: error: face 0: expected a vertex from 0 to 3, found 4");
+    expect_error(changed("4 0 1 2 3", "2 0 1"), "no face with three vertices");
+    expect_error(changed("face 1", "face 0"), "a cloud of points");
+    expect_error(changed("1 1 0.5", "1 1 1e30"), "vertex 2: expected coordinates within 1e12");
+    std::string binary = binary_file(false);
+    binary[binary.size() - 8] = 77;
+    expect_error(binary, "a.ply:15:1: error: byte");
+}
+
+class OneFile : public Sources {
+  public:
+    Result<std::string> read(std::string_view name, std::string_view) override {
+        ++count;
+        if (name == "square.ply") return std::string(k_square);
+        return Status{ErrorCode::io, "no such file", {}};
+    }
+    int count = 0;
+};
+
+TEST(Ply, AGlintSceneUsesAFileSeveralTimes) {
+    OneFile sources;
+    const std::string text =
+        "camera { position = (0, 0, 9)  look_at = (0, 0, 0) }\n"
+        "mesh \"a\" { file = \"square.ply\"  color = (1, 0, 0) }\n"
+        "mesh { file = \"square.ply\"  translate = (2, 0, 0) }\n"
+        "mesh { vertices = ((0, 0, 0), (0.1, 0, 0), (0, 1, 0))  normals = ((0, 0, 1), (0, 0, 1), (0, 1, 1))\n"
+        "  triangles = ((0, 1, 2)) }\n";
+    const Result<Scene> result = load_text(text, "a.glint", {}, &sources);
+    ASSERT_TRUE(result) << messages(result);
+    EXPECT_EQ(sources.count, 1);
+    EXPECT_EQ(result->meshes.size(), 2u);
+    EXPECT_EQ(result->shapes.size(), 3u);
+    EXPECT_EQ(result->meshes[1]->positions[1], (Vec3{0.1, 0, 0}));
+    EXPECT_TRUE(result->meshes[1]->is_smooth(0));
+    EXPECT_TRUE(result->lights.empty()) << "only a file alone has its own lights";
+}
+
+TEST(Ply, MistakesInAMeshBlock) {
+    const auto said = [](const std::string& block) {
+        OneFile sources;
+        return messages(
+            load_text("camera { position = (0, 0, 9)  look_at = (0, 0, 0) }\nmesh { " + block + " }",
+                      "a.glint", {}, &sources));
+    };
+    EXPECT_NE(said("").find("2:1: error: expected a mesh's `file`"), std::string::npos) << said("");
+    EXPECT_NE(said("file = \"b.ply\"").find("'b.ply': no such file"), std::string::npos);
+    EXPECT_NE(said("file = \"b.png\"").find("ends in .ply"), std::string::npos);
+    EXPECT_NE(said("file = \"square.ply\" vertices = ((0, 0, 0))").find("found both"), std::string::npos);
+    EXPECT_NE(
+        said("vertices = ((0, 0, 0)) triangles = ((0, 0, 1))").find("triangle 0: expected a vertex below 1"),
+        std::string::npos);
+    EXPECT_NE(said("vertices = ((0, 0, 0)) triangles = ((0, 0, 0.5))").find("whole numbers"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace glint::test

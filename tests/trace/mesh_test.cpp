@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// A mesh renders to the bits of the triangles that it consists of.
+#include <gtest/gtest.h>
+
+#include "trace/pictures.h"
+#include "trace/worlds.h"
+
+namespace glint::test {
+namespace {
+
+std::uint32_t corner(Random& random) { return static_cast<std::uint32_t>(below(random, 40)); }
+
+// Triangles with common vertices around the origin; every third vertex has no normal, if any has.
+MeshData random_mesh(Random& random, bool smooth, bool single) {
+    MeshData mesh;
+    for (int i = 0; i < 40; ++i) {
+        const Vec3 p = point_in_cube(random, 3), n = unit_direction(random) * random.uniform(0.5, 2);
+        const auto narrow = [](Vec3 v) {
+            return Float3{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+        };
+        if (single) {
+            mesh.single_positions.push_back(narrow(p));
+        } else {
+            mesh.positions.push_back(p);
+        }
+        if (smooth) mesh.normals.push_back(i % 3 == 0 ? Float3{} : narrow(n));
+    }
+    for (int i = 0; i < 60; ++i) mesh.triangles.push_back({corner(random), corner(random), corner(random)});
+    return mesh;
+}
+
+void add_triangles(Scene& scene, const MeshData& mesh, std::uint32_t material, std::uint32_t transform) {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const auto [a, b, c] = mesh.triangles[i];
+        const Triangle flat{{mesh.position(a), mesh.position(b), mesh.position(c)}};
+        if (mesh.is_smooth(i)) {
+            scene.add(SmoothTriangle{{flat.vertices[0], flat.vertices[1], flat.vertices[2]},
+                                     {to_vec3(mesh.normals[a]), to_vec3(mesh.normals[b]),
+                                      to_vec3(mesh.normals[c])}},
+                      material, transform);
+        } else {
+            scene.add(flat, material, transform);
+        }
+    }
+}
+
+TEST(Mesh, RendersToTheBitsOfItsTriangles) {
+    Random random(36);
+    for (int i = 0; i < 12; ++i) {
+        Scene whole;
+        set_size(whole, 90, 70);
+        whole.camera.position = {0, 1, 14};
+        whole.camera.look_at = {0, 0, 0};
+        whole.lights = {ambient_light({0.3, 0.3, 0.3}), point_light({5, 9, 19})};
+        Material shiny;
+        shiny.mirror = 0.3;
+        shiny.specular = {0.5, 0.5, 0.5};
+        add_material(whole, shiny);
+        Scene parts = whole;
+        const auto mesh = std::make_shared<const MeshData>(random_mesh(random, i % 2 == 0, i % 3 == 0));
+        whole.meshes.push_back(mesh);
+        for (int copy = 0; copy < 3; ++copy) {
+            std::uint32_t transform = k_none;
+            if (copy > 0) {
+                transform = static_cast<std::uint32_t>(whole.transforms.size());
+                whole.transforms.push_back(random_transform(random, 5));
+                parts.transforms.push_back(whole.transforms.back());
+            }
+            const std::uint32_t material = copy == 1 ? 0 : k_none;
+            whole.add(Mesh{0}, material, transform);
+            add_triangles(parts, *mesh, material, transform);
+        }
+        EXPECT_EQ(render_scene(whole).rgb, render_scene(parts).rgb) << i;
+    }
+}
+
+TEST(Mesh, AnEditMovesAllOfIt) {
+    Random random(37);
+    Scene scene;
+    set_size(scene, 60, 50);
+    scene.camera.position = {0, 1, 14};
+    scene.camera.look_at = {0, 0, 0};
+    scene.lights = {point_light({5, 9, 19})};
+    scene.meshes.push_back(std::make_shared<const MeshData>(random_mesh(random, false, true)));
+    scene.transforms = {translation({-3, 0, 0}), translation({3, 0, 0})};
+    scene.add(Mesh{0}, k_none, 0);
+    scene.add(Sphere{{0, 0, -4}, 2});
+    std::optional<World> world = make_world(scene);
+    ASSERT_TRUE(world);
+    scene.shapes[0].transform = 1;
+    const std::uint32_t changed[] = {0};
+    const Result<ShapeEdit> edit = edit_shapes(*world, scene, changed);
+    ASSERT_TRUE(edit) << to_string(edit);
+    EXPECT_EQ(*edit, ShapeEdit::refitted);
+    EXPECT_EQ(render_world(*world).rgb, render_scene(scene).rgb);
+}
+
+}  // namespace
+}  // namespace glint::test
