@@ -33,14 +33,16 @@ struct MeshData {
     std::size_t vertex_count() const {
         return single_positions.empty() ? positions.size() : single_positions.size();
     }
+    /// (0, 0, 0) if there is no such vertex.
     Vec3 position(std::uint32_t vertex) const {
+        if (vertex >= vertex_count()) return {};
         return single_positions.empty() ? positions[vertex] : to_vec3(single_positions[vertex]);
     }
-    /// Whether a triangle has interpolated normals.
+    /// Whether a triangle has interpolated normals. false if there is no such triangle.
     bool is_smooth(std::size_t triangle) const {
-        if (normals.empty()) return false;
+        if (normals.empty() || triangle >= triangles.size()) return false;
         for (const std::uint32_t v : triangles[triangle]) {
-            if (normals[v] == Float3{}) return false;
+            if (v >= normals.size() || normals[v] == Float3{}) return false;
         }
         return true;
     }

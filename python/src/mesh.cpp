@@ -79,7 +79,7 @@ py::object rows_of(const std::vector<Item>& items, const std::shared_ptr<const M
     py::array_t<T> rows({static_cast<py::ssize_t>(items.size()), py::ssize_t{3}},
                         reinterpret_cast<const T*>(items.data()), owner);
     rows.attr("flags").attr("writeable") = false;
-    return std::move(rows);
+    return rows;
 }
 
 std::uint32_t index_in(Scene& scene, const std::shared_ptr<const MeshData>& data) {

@@ -70,7 +70,14 @@ std::string LoadMemory::message() const {
 
 bool LoadState::is_within_memory(InputText where, std::size_t offset, std::size_t length) {
     memory.count(scene);
-    if (!memory.is_exceeded()) return true;
+    return !memory.is_exceeded() || report_memory(where, offset, length);
+}
+
+bool LoadState::has_room(std::uint64_t bytes, InputText where, std::size_t offset, std::size_t length) {
+    return memory.has_room(bytes) || report_memory(where, offset, length);
+}
+
+bool LoadState::report_memory(InputText where, std::size_t offset, std::size_t length) {
     if (!is_memory_reported && !diagnostics.full()) {
         diagnostics.error(where, offset, length, memory.message());
         is_memory_reported = true;

@@ -110,7 +110,13 @@ struct LoadState {
     /// Counts the scene's memory. Beyond the budget: an error at this place, and false. Readers call it, or
     /// Diagnostics::go_on(), before what they have added can be more than some MiB.
     bool is_within_memory(InputText where, std::size_t offset, std::size_t length = 1);
+    /// Whether the budget has room for these bytes in addition, which are not counted. If not: an error at
+    /// this place, and false.
+    bool has_room(std::uint64_t bytes, InputText where, std::size_t offset, std::size_t length = 1);
     bool is_memory_reported = false;
+
+  private:
+    bool report_memory(InputText where, std::size_t offset, std::size_t length);
 };
 
 inline constexpr std::size_t k_max_texts =

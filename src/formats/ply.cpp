@@ -111,6 +111,9 @@ template <class Numbers> class PlyBody {
   public:
     PlyBody(LoadState& reading, InputText where, const PlyHeader& header)
         : reading_(reading), where_(where), header_(header), numbers_(where.text, header.end) {}
+    ~PlyBody() { reading_.memory.remove(held_); }  // from now on the scene's
+    PlyBody(const PlyBody&) = delete;
+    PlyBody& operator=(const PlyBody&) = delete;
 
     std::shared_ptr<const MeshData> read() {
         for (const PlyElement& element : header_.elements) {
@@ -198,6 +201,15 @@ template <class Numbers> class PlyBody {
         return !reading_.diagnostics.full();
     }
 
+    template <class Item> bool reserve(std::vector<Item>& list, std::size_t count) {
+        const std::uint64_t bytes = MemoryBudget::list_bytes(count, sizeof(Item));
+        if (!reading_.has_room(bytes, where_, element_->offset, element_->length)) return false;
+        reading_.memory.add(bytes);
+        held_ += bytes;
+        list.reserve(count);
+        return true;
+    }
+
     bool read_vertices() {
         const auto count = static_cast<std::size_t>(element_->count);
         if (count >= k_none) {
@@ -221,12 +233,10 @@ template <class Numbers> class PlyBody {
                                            "glint does not render the colors of vertices yet");
         }
         MeshData& mesh = *mesh_;
-        if (single) {
-            mesh.single_positions.reserve(count);
-        } else {
-            mesh.positions.reserve(count);
+        if (!(single ? reserve(mesh.single_positions, count) : reserve(mesh.positions, count)) ||
+            (has_normals && !reserve(mesh.normals, count))) {
+            return false;
         }
-        if (has_normals) mesh.normals.reserve(count);
         std::vector<int> columns;
         for (const PlyProperty& p : element_->properties)
             columns.push_back(p.count_type ? -1 : vertex_column(p.name));
@@ -263,7 +273,7 @@ template <class Numbers> class PlyBody {
         for (const PlyElement& e : header_.elements) {
             if (e.name == "vertex") vertices = e.count;
         }
-        mesh_->triangles.reserve(static_cast<std::size_t>(element_->count));
+        if (!reserve(mesh_->triangles, static_cast<std::size_t>(element_->count))) return false;
         for (; index_ < element_->count && goes_on(); ++index_) {
             for (const PlyProperty& p : element_->properties) {
                 if (&p == corners ? !read_face(p, vertices) : !skip(p)) return false;
@@ -300,6 +310,7 @@ template <class Numbers> class PlyBody {
     const PlyElement* element_ = nullptr;
     std::uint64_t index_ = 0;  // of the element's
     std::uint64_t small_faces_ = 0;
+    std::uint64_t held_ = 0;  // bytes of the mesh that the budget counts
     std::shared_ptr<MeshData> mesh_ = std::make_shared<MeshData>();
 };
 

@@ -251,5 +251,23 @@ TEST(Misuse, OfVectors) {
     EXPECT_FALSE(cross(odd, Vec3{}) == Vec3{});  // NaN
 }
 
+TEST(Misuse, MeshesWithoutTheVerticesOfTheirTriangles) {
+    MeshData mesh;
+    EXPECT_EQ(mesh.vertex_count(), 0u);
+    EXPECT_EQ(mesh.position(7), (Vec3{}));
+    EXPECT_FALSE(mesh.is_smooth(0));
+    mesh.normals = {{0, 0, 1}};
+    mesh.triangles = {{0, 1, 2}};
+    EXPECT_FALSE(mesh.is_smooth(0)) << "two of its vertices have no normals";
+    EXPECT_EQ(to_vec3(mesh.normals[0]), (Vec3{0, 0, 1}));
+    Scene scene;
+    scene.add(Mesh{0});
+    EXPECT_TRUE(has_errors(validate(scene))) << "no such mesh";
+    scene.meshes.push_back(nullptr);
+    EXPECT_TRUE(has_errors(validate(scene))) << "null";
+    scene.meshes[0] = std::make_shared<const MeshData>(mesh);
+    EXPECT_TRUE(has_errors(validate(scene))) << "no vertices";
+}
+
 }  // namespace
 }  // namespace glint::test
