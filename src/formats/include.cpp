@@ -75,6 +75,10 @@ class Include {
 
     std::optional<ReadText> open(const std::string& name) {
         if (reading_.diagnostics.full()) return std::nullopt;
+        const auto known = reading_.includes.files.find(path_of(name));
+        if (known != reading_.includes.files.end()) {
+            return ReadText{reading_.texts[known->second], known->second, true};
+        }
         if (reading_.sources == nullptr) {
             error(name, "this text cannot refer to others: no files are read here");
         } else if (const auto file = find_text(name, path_of(name))) {

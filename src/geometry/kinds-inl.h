@@ -13,6 +13,7 @@
 #include "geometry/cone-inl.h"
 #include "geometry/cylinder-inl.h"
 #include "geometry/disc-inl.h"
+#include "geometry/mesh-inl.h"
 #include "geometry/plane-inl.h"
 #include "geometry/sphere-inl.h"
 #include "geometry/transformed-inl.h"
@@ -22,12 +23,9 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Polygons and meshes are packed as triangles, so a World contains none.
+/// Polygons are triangulated before packing, so a World contains none.
 struct PolygonGeometry : TriangleGeometry {};
-struct MeshGeometry : TriangleGeometry {};
-template <class Geometry>
-inline constexpr bool k_is_packed =
-    !std::is_same_v<Geometry, PolygonGeometry> && !std::is_same_v<Geometry, MeshGeometry>;
+template <class Geometry> inline constexpr bool k_is_packed = !std::is_same_v<Geometry, PolygonGeometry>;
 
 /// The normal of the face at a point, of any length; shading: the kind's normal there.
 template <class Geometry, class T> HWY_INLINE Vector3<T> face_normal(const T* p, const Vector3<T>& shading) {

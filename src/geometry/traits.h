@@ -22,6 +22,9 @@ struct GeometryTraits {
     static constexpr bool k_sheared = false;
     /// Its formula costs no more than the test of its box, for one ray.
     static constexpr bool k_cheap = false;
+    /// It consists of the shapes of another PackedGeometry, which rays that are mapped into its coordinates
+    /// traverse. It has no formula of its own.
+    static constexpr bool k_is_instance = false;
     /// It has tests that are cheaper than its formula: quick_test() and ParallelTest.
     static constexpr bool k_quick = false;
 };

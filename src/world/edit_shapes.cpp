@@ -32,7 +32,7 @@ class ShapeEditor {
   public:
     ShapeEditor(World& world, const Scene& scene, std::span<const std::uint32_t> changed,
                 const PrepareOptions& options)
-        : world_(world), scene_(scene), changed_(changed), options_(options), primitives_(scene) {}
+        : world_(world), scene_(scene), changed_(changed), options_(options), primitives_(scene, &meshes_) {}
 
     // Sets `edit` as soon as the edit is done, so that a later failure does not report it as not done.
     Status run(ShapeEdit& edit) {
@@ -45,12 +45,17 @@ class ShapeEditor {
             find_mistakes(scene_, changed_, now.scene_materials(), options_.threads);
         if (!mistakes.empty()) return refuse(std::move(mistakes));
         if (changed_.empty()) return {};
-        list_triangles();
+        triangulate_polygons();
+        if (!scene_.meshes.empty()) {
+            meshes_ = now.geometry->meshes;
+            if (!pack_meshes(scene_, meshes_, options_)) return cancelled();
+        }
         // Do everything that may fail before the first write.
         WorldParts& parts = WorldAccess::own(world_);
         PackedGeometry& geometry = parts.geometry.own();
         need_edit_index(geometry);
         if (!fits(geometry)) return rebuild(edit);
+        geometry.meshes = meshes_;
         std::vector<std::uint32_t>& rows = parts.slot_material.own();
         prepare_colors(parts);
         const bool many = changed_.size() + primitives_.list().size() > geometry.count / k_many;
@@ -73,14 +78,13 @@ class ShapeEditor {
         return invalid_scene(to_diagnostics(std::move(mistakes), scene_));
     }
 
-    // Only the primitives of polygons and meshes are listed. Other shapes are one primitive each, and need no
-    // memory.
-    void list_triangles() {
-        if (!has_elements(scene_)) return;
+    // Only the primitives of polygons are listed. Other shapes are one primitive each, and need no memory.
+    void triangulate_polygons() {
+        if (scene_.get<Polygon>().empty()) return;
         first_triangle_.reserve(changed_.size());
         for (const std::uint32_t shape : changed_) {
             first_triangle_.push_back(static_cast<std::uint32_t>(primitives_.list().size()));
-            if (is_packed_as_triangles(scene_.shapes[shape].kind)) primitives_.add(shape);
+            if (scene_.shapes[shape].kind == ShapeKind::polygon) primitives_.add(shape);
         }
     }
 
@@ -100,14 +104,14 @@ class ShapeEditor {
     std::size_t count_primitives(std::size_t i) const {
         const ShapeKind kind = scene_.shapes[changed_[i]].kind;
         if (kind == ShapeKind::cone && !world_.parts().conventions.cones) return 0;
-        if (!is_packed_as_triangles(kind)) return 1;
+        if (kind != ShapeKind::polygon) return 1;
         const std::size_t end = i + 1 < changed_.size() ? first_triangle_[i + 1] : primitives_.list().size();
         return end - first_triangle_[i];
     }
 
-    // first_triangle: used for polygons and meshes only.
+    // first_triangle: used for polygons only.
     Primitive primitive(std::uint32_t shape, std::uint32_t first_triangle, std::size_t element) const {
-        if (!is_packed_as_triangles(scene_.shapes[shape].kind)) return {shape, k_none, 0};
+        if (scene_.shapes[shape].kind != ShapeKind::polygon) return {shape, k_none, 0};
         return primitives_.list()[first_triangle + element];
     }
     // Primitive `element` of changed shape i.
@@ -243,9 +247,10 @@ class ShapeEditor {
     const Scene& scene_;
     const std::span<const std::uint32_t> changed_;
     const PrepareOptions& options_;
-    Primitives primitives_;                      // of the changed polygons and meshes
+    PackedMeshes meshes_;                        // of the scene
+    Primitives primitives_;                      // of the changed polygons
     std::vector<float>* colors_ = nullptr;       // of the World, if it has colors to be edited
-    std::vector<std::uint32_t> first_triangle_;  // by changed shape, if the scene has polygons or meshes
+    std::vector<std::uint32_t> first_triangle_;  // by changed shape, if the scene has polygons
 };
 
 }  // namespace

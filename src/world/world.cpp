@@ -7,6 +7,7 @@
 
 #include "world/appearance/shading.h"
 #include "world/geometry/edit_index.h"
+#include "world/geometry/packed_mesh.h"
 #include "world/prepare_camera.h"
 
 namespace glint {
@@ -68,6 +69,14 @@ WorldMemory memory_usage(const World& world) {
     if (geometry.edit_index) m.indices += geometry.edit_index->bytes();
     m.packed = geometry.count;
     m.hierarchy = bytes(geometry.bvh.nodes);
+    for (const auto& mesh : geometry.meshes) {
+        if (mesh == nullptr) continue;
+        for (const ShapeClass& c : mesh->geometry.classes) m.shapes += bytes(c.values);
+        m.indices +=
+            bytes(mesh->geometry.shape_index) + bytes(mesh->geometry.element) + bytes(mesh->geometry.open);
+        m.packed += mesh->geometry.count;
+        m.hierarchy += bytes(mesh->geometry.bvh.nodes);
+    }
     m.colors = bytes(*parts.slot_color) + bytes(*parts.color_factors);
     m.materials = bytes(*parts.materials) + bytes(*parts.no_shadow) + bytes(*parts.extended) +
                   bytes(*parts.lights) + bytes(*parts.ambient_lights);

@@ -156,6 +156,15 @@ TEST(Ply, AGlintSceneUsesAFileSeveralTimes) {
     EXPECT_TRUE(result->lights.empty()) << "only a file alone has its own lights";
 }
 
+TEST(Ply, ManyShapesMayHaveALargeFile) {
+    OneFile sources;
+    std::string text = "camera { position = (0, 0, 9)  look_at = (0, 0, 0) }\n";
+    for (int i = 0; i < 400'000; ++i) text += "mesh { file = \"square.ply\" }\n";
+    const Result<Scene> result = load_text(text, "a.glint", {}, &sources);
+    ASSERT_TRUE(result) << messages(result);
+    EXPECT_EQ(result->meshes.size(), 1u);
+}
+
 TEST(Ply, MistakesInAMeshBlock) {
     const auto said = [](const std::string& block) {
         OneFile sources;

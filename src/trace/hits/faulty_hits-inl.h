@@ -17,7 +17,8 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Scenes of more shapes are rendered without the fault: it takes the product of shapes and rays.
+/// Scenes of more shapes are rendered without the fault, and so are meshes: it takes the product of shapes
+/// and rays.
 inline constexpr std::uint32_t k_max_faulty_shapes = 256;
 
 /// Tests one shape with the rays of a stream, and replaces the hits that the fault prefers.
@@ -38,6 +39,9 @@ struct FaultyTest {
         return (mine > theirs) == (world.fault == TracerFault::last_shape);
     }
     template <class Geometry> HWY_INLINE void visit() {
+        if constexpr (!Geometry::k_is_instance) test<Geometry>();
+    }
+    template <class Geometry> HWY_INLINE void test() {
         Doubles p[Geometry::k_values];
         broadcast_values<Geometry::k_values>(shapes, slot, p);
         const bool behind = world.fault == TracerFault::behind_start;

@@ -10,7 +10,7 @@
 
 #include "bvh/traverse-inl.h"
 #include "bvh/traverse_any-inl.h"
-#include "trace/hits/hit_rule-inl.h"
+#include "trace/hits/instances-inl.h"
 #include "trace/hits/intersect-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -28,6 +28,11 @@ struct ShapeTests {
     const HitResult& result;
     ShearedRays& sheared_rays;
     QuickRays& quick_rays;
+    std::uint32_t instance = k_none;  // the slot of the shape whose mesh `geometry` is; k_none: none
+
+    HWY_INLINE SurfaceId surface_of(std::uint32_t slot) const {
+        return instance == k_none ? geometry.surface_of(slot) : SurfaceId{instance, geometry.element[slot]};
+    }
 
     HWY_INLINE Ray<Doubles> ray_lanes(int i) const {
         return {{load(rays.ox + i), load(rays.oy + i), load(rays.oz + i)},
@@ -42,25 +47,40 @@ struct ShapeTests {
 
     /// Tests a leaf: slots [first, first + count), of one class.
     HWY_INLINE void visit(RayPacket& packet, std::uint64_t active, std::uint32_t first, std::uint32_t count) {
-        with_bounded(first, [&]<class Geometry>(Kind<Geometry>, const ShapeClass& shapes)
-                                HWY_ATTR { packet_leaf<Geometry>(shapes, packet, active, first, count); });
+        with_bounded(first, [&]<class Geometry>(Kind<Geometry>, const ShapeClass& shapes) HWY_ATTR {
+            if constexpr (Geometry::k_is_instance)
+                instances_leaf(shapes, packet, active, first, count);
+            else
+                packet_leaf<Geometry>(shapes, packet, active, first, count);
+        });
         packet.update_t_max();
     }
     /// The same for few rays of the packet, of which each tests a vector of shapes at a time; any_hit only.
     HWY_INLINE void visit_rays(const RayPacket& packet, std::uint64_t active, std::uint32_t first,
                                std::uint32_t count) {
         with_bounded(first, [&]<class Geometry>(Kind<Geometry>, const ShapeClass& shapes) HWY_ATTR {
-            rays_leaf<Geometry>(shapes, first, count, packet.first, active);
+            if constexpr (Geometry::k_is_instance)
+                instances_leaf(shapes, packet, active, first, count);
+            else
+                rays_leaf<Geometry>(shapes, first, count, packet.first, active);
         });
     }
     HWY_INLINE void visit(int ray, std::uint32_t first, std::uint32_t count) {
-        with_bounded(first, [&]<class Geometry>(Kind<Geometry>, const ShapeClass& shapes)
-                                HWY_ATTR { ray_leaf<Geometry>(shapes, first, count, ray); });
+        with_bounded(first, [&]<class Geometry>(Kind<Geometry>, const ShapeClass& shapes) HWY_ATTR {
+            if constexpr (Geometry::k_is_instance)
+                instances_leaf(shapes, RayPacket(slab_rays, ray, 1), 1, first, count);
+            else
+                ray_leaf<Geometry>(shapes, first, count, ray);
+        });
     }
     /// Tests one shape with the packet.
     HWY_INLINE void visit_shape(const RayPacket& packet, std::uint32_t slot) {
-        with_bounded(slot, [&]<class Geometry>(Kind<Geometry>, const ShapeClass& shapes)
-                               HWY_ATTR { single_shape<Geometry>(shapes, packet, slot); });
+        with_bounded(slot, [&]<class Geometry>(Kind<Geometry>, const ShapeClass& shapes) HWY_ATTR {
+            if constexpr (Geometry::k_is_instance)
+                instances_leaf(shapes, packet, packet.unfinished(), slot, 1);
+            else
+                single_shape<Geometry>(shapes, packet, slot);
+        });
     }
     /// Tests all shapes of an unbounded class with rays [0, count) of the chunk. These shapes have no bounds.
     HWY_INLINE void visit_unbounded(const ShapeClass& shapes, int count) {
@@ -123,7 +143,7 @@ struct ShapeTests {
         const Doubles t = min(max(hit.t, entry), exit);
         bits &= to_bits(hit.valid && t > t_min && t <= load(result.nearest.t + i));
         if (bits == 0) return;
-        const SurfaceId id = geometry.surface_of(slot);
+        const SurfaceId id = surface_of(slot);
         if (result.occluded == nullptr) {
             // Store all nearer hits at once.
             const Doubles best = load(result.nearest.t + i);
@@ -146,6 +166,10 @@ struct ShapeTests {
             result.accept(i + lane, lanes[lane], id);
         }
     }
+
+    /// Tests shapes that have a mesh with the packet's rays `active` (trace/hits/instances-inl.h).
+    HWY_NOINLINE void instances_leaf(const ShapeClass& shapes, const RayPacket& packet, std::uint64_t active,
+                                     std::uint32_t first, std::uint32_t count);
 
     template <class Geometry>
     HWY_NOINLINE void packet_leaf(const ShapeClass& shapes, const RayPacket& packet, std::uint64_t active,
@@ -195,7 +219,7 @@ struct ShapeTests {
             const FilteredRays filtered =
                 filter_rays(shapes, packet, quick_rays, active, filters, slot, lane);
             for (std::uint64_t hit = filtered.hit; hit != 0; hit &= hit - 1)
-                result.occlude(packet.first + __builtin_ctzll(hit), geometry.surface_of(slot));
+                result.occlude(packet.first + __builtin_ctzll(hit), surface_of(slot));
             active = filtered.may_hit;
             if (active == 0) return;
         }
@@ -260,8 +284,8 @@ struct ShapeTests {
             : slot(first), bits(first_bits(number::min(static_cast<int>(count), lane_count<double>()))) {
             load_values<Geometry::k_values>(shapes, slot, p);
         }
-        SurfaceId surface(const PackedGeometry& packed, int lane) const {
-            return packed.surface_of(slot + static_cast<std::uint32_t>(lane));
+        SurfaceId surface(const ShapeTests& tests, int lane) const {
+            return tests.surface_of(slot + static_cast<std::uint32_t>(lane));
         }
     };
 
@@ -331,7 +355,7 @@ struct ShapeTests {
         for (; hit != 0; hit &= hit - 1) {
             const int r = __builtin_ctzll(hit);
             for (std::uint32_t bits = hits[r]; bits != 0; bits &= bits - 1)
-                result.occlude(first_ray + r, some.surface(geometry, __builtin_ctz(bits)));
+                result.occlude(first_ray + r, some.surface(*this, __builtin_ctz(bits)));
             active &= ~finished_bit(first_ray, r);
         }
         return may_hit & active;
@@ -363,8 +387,7 @@ struct ShapeTests {
         for (; bits != 0; bits &= bits - 1) {
             const int lane = __builtin_ctz(bits);
             // An earlier lane may have reduced the limit.
-            if (lanes[lane] <= result.nearest.t[i])
-                result.accept(i, lanes[lane], some.surface(geometry, lane));
+            if (lanes[lane] <= result.nearest.t[i]) result.accept(i, lanes[lane], some.surface(*this, lane));
         }
     }
 };

@@ -11,6 +11,7 @@
 #include "geometry/kinds-inl.h"
 #include "trace/batches.h"
 #include "world/appearance/appearance.h"
+#include "world/geometry/mesh_normals-inl.h"
 #include "world/geometry/packed_values-inl.h"
 #include "world/geometry/primitive_bounds-inl.h"
 
@@ -20,12 +21,20 @@ namespace HWY_NAMESPACE {
 
 /// The normals of a vector of surfaces of one class, each at its point.
 struct NormalsAt {
+    const PackedGeometry& geometry;
     const ShapeClass& shapes;
     const std::uint32_t* slots;
-    bool same;         // all lanes have the same slot
-    bool wants_faces;  // else `face` is not computed
+    const std::uint32_t* elements;  // null: shapes have one element
+    bool same;                      // all lanes have the same slot
+    bool wants_faces;               // else `face` is not computed
     Vector3<Doubles> point, shading, face;
     template <class Geometry> HWY_INLINE void visit() {
+        if constexpr (Geometry::k_is_instance)
+            of_meshes();
+        else
+            compute<Geometry>();
+    }
+    template <class Geometry> HWY_INLINE void compute() {
         Doubles p[Geometry::k_values];
         if (same)
             broadcast_values<Geometry::k_values>(shapes, slots[0], p);
@@ -33,6 +42,19 @@ struct NormalsAt {
             gather_values<Geometry::k_values>(shapes, slots, p);
         shading = Geometry::normal(p, point);
         if (wants_faces) face = face_normal<Geometry>(p, shading);
+    }
+    HWY_NOINLINE void of_meshes() {
+        alignas(k_ray_alignment) double at[3][lane_count<double>()], columns[6][lane_count<double>()];
+        store_vector3(point, at, 0);
+        for (int k = 0; k < lane_count<double>(); ++k) {
+            const MeshNormals normals =
+                mesh_normals(geometry, shapes, {slots[k], elements[k]}, {at[0][k], at[1][k], at[2][k]});
+            const double all[6] = {normals.shading.x, normals.shading.y, normals.shading.z,
+                                   normals.face.x,    normals.face.y,    normals.face.z};
+            for (int c = 0; c < 6; ++c) columns[c][k] = all[c];
+        }
+        shading = {load(columns[0]), load(columns[1]), load(columns[2])};
+        face = {load(columns[3]), load(columns[4]), load(columns[5])};
     }
 };
 
@@ -42,20 +64,23 @@ struct NormalLanes {
 };
 
 /// Computes the normals of a vector of hits for one class of shapes after the other.
-HWY_INLINE NormalLanes normals_at(const PackedGeometry& geometry, const std::uint32_t* slots, bool same,
-                                  bool wants_faces, Vector3<Doubles> point) {
+HWY_INLINE NormalLanes normals_at(const PackedGeometry& geometry, const std::uint32_t* slots,
+                                  const std::uint32_t* elements, bool same, bool wants_faces,
+                                  Vector3<Doubles> point) {
     NormalLanes normals{point, point};
     std::uint32_t left = (1u << lane_count<double>()) - 1;
     while (left != 0) {
-        const std::uint32_t slot = slots[__builtin_ctz(left)];
+        const int leader = __builtin_ctz(left);
+        const std::uint32_t slot = slots[leader];
         const ShapeClass& shapes = geometry.class_of(slot);
-        std::uint32_t of_class[lane_count<double>()], here = 0;
+        std::uint32_t of_class[lane_count<double>()], elements_of_class[lane_count<double>()], here = 0;
         for (int k = 0; k < lane_count<double>(); ++k) {
             const bool in = slots[k] - shapes.first < shapes.count;
             of_class[k] = in ? slots[k] : slot;
+            if (elements != nullptr) elements_of_class[k] = elements[in ? k : leader];
             here |= static_cast<std::uint32_t>(in) << k;
         }
-        NormalsAt at{shapes, of_class, same, wants_faces, point, point, point};
+        NormalsAt at{geometry, shapes, of_class, elements_of_class, same, wants_faces, point, point, point};
         visit_geometry(shapes.kind, shapes.transformed, at);
         const auto mask = from_bits<double>(here);
         normals.shading = select_vector3(mask, at.shading, normals.shading);
@@ -73,6 +98,10 @@ HWY_INLINE double max_coordinate(const PackedGeometry& geometry, std::uint32_t s
     const Aabb box = primitive_bounds(geometry, slot);
     float reach = 0;
     for (int a = 0; a < 3; ++a) reach = max(reach, max(-box.lo[a], box.hi[a]));
+    if (!geometry.meshes.empty()) {
+        const ShapeClass& shapes = geometry.class_of(slot);
+        if (shapes.kind == ShapeKind::mesh) return reach + shapes.value(MeshGeometry::k_magnitude, slot);
+    }
     return reach;
 }
 
@@ -84,8 +113,8 @@ inline void locate_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
     // Padding: lanes past the last hit are computed as well, and need valid surfaces.
     const auto last = static_cast<std::size_t>(count - 1);
     std::fill_n(surfaces.slot.begin() + count, k_ray_padding, surfaces.slot[last]);
-    if (world.geometry->has_elements())
-        std::fill_n(surfaces.element.begin() + count, k_ray_padding, surfaces.element[last]);
+    const bool has_elements = world.geometry->has_elements();
+    if (has_elements) std::fill_n(surfaces.element.begin() + count, k_ray_padding, surfaces.element[last]);
     const bool has_lighting_eye = world.camera.has_lighting_eye &&
                                   (surfaces.generation == 0 || world.fault == TracerFault::eye_everywhere);
     const bool by_winding = world.conventions.facing == Facing::winding;
@@ -104,7 +133,9 @@ inline void locate_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
         if (same && flips != 0) flips = all_lanes;
         const Vector3<Doubles> point = load_vector3(surfaces.point, h),
                                d = load_vector3(surfaces.incoming, h);
-        const NormalLanes normals = normals_at(*world.geometry, slots, same, by_winding, point);
+        const NormalLanes normals =
+            normals_at(*world.geometry, slots, has_elements ? surfaces.element.data() + h : nullptr, same,
+                       by_winding, point);
         const auto behind = dot(normals.face, d) > Doubles(0);
         const auto flipped = behind && from_bits<double>(flips);
         store_vector3(select_vector3(flipped, -normals.shading, normals.shading), surfaces.normal, h);

@@ -24,7 +24,9 @@ class Contains {
     Contains(const ShapeClass& shapes, std::uint32_t slot, Vec3 point)
         : shapes_(shapes), slot_(slot), point_(point) {}
     bool result() const { return result_; }
-    template <class Geometry> void visit() { test<Geometry>(); }
+    template <class Geometry> void visit() {
+        if constexpr (!Geometry::k_is_instance) test<Geometry>();  // a mesh may be open: nothing is inside
+    }
 
   private:
     template <class Geometry> void test() {

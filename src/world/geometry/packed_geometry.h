@@ -14,7 +14,11 @@
 namespace glint {
 
 struct EditIndex;
+struct PackedMesh;
 class SharedEditIndex;
+
+/// By index in Scene::meshes; null if no shape has the mesh.
+using PackedMeshes = std::vector<std::shared_ptr<const PackedMesh>>;
 
 /// Shapes of one kind, transformed or not, packed as columns: value k of the class's item i is values[k *
 /// stride + i].
@@ -41,6 +45,7 @@ struct PackedGeometry {
     std::vector<float> box_lo[3], box_hi[3];  // by slot: the shape's padded bounds; computed for triangles
     std::vector<std::uint32_t> shape_index;   // by slot: the index in Scene::shapes
     std::vector<std::uint32_t> element;       // by slot: SurfaceId::element; empty: 0
+    PackedMeshes meshes;                      // the shapes of the kind `mesh` refer to them
     std::vector<std::uint8_t> open;           // by slot: 1 if the shape encloses no space
     std::uint32_t scene_shapes = 0;           // the number of the scene's shapes
     bool has_cones = false;                   // the scene has cones, packed or omitted by the conventions

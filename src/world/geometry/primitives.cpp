@@ -7,6 +7,7 @@
 #include "geometry/kinds-inl.h"
 #include "math/extent.h"
 #include "math/transform.h"
+#include "world/geometry/packed_mesh.h"
 #include "world/geometry/triangulate.h"
 
 namespace glint {
@@ -26,6 +27,28 @@ struct TraitsOf {
         traits.stores_box = traits.bounded && Geometry::k_stores_box;
     }
 };
+
+// The largest number that the map adds up for a point of the box.
+double map_magnitude(const Affine& map, Vec3 lo, Vec3 hi) {
+    const double reach[3] = {number::max(-lo.x, hi.x), number::max(-lo.y, hi.y), number::max(-lo.z, hi.z)};
+    double most = 0;
+    for (const auto& row : map.m) {
+        double sum = number::abs(row[3]);
+        for (int k = 0; k < 3; ++k) sum += number::abs(row[k]) * number::abs(reach[k]);
+        most = number::max(most, sum);
+    }
+    return most;
+}
+
+// The box of the corners of a box.
+Extent mapped_box(const Affine& map, Vec3 lo, Vec3 hi) {
+    Extent extent;
+    for (int corner = 0; corner < 8; ++corner) {
+        extent.add(transform_point(
+            map, {corner & 1 ? hi.x : lo.x, corner & 2 ? hi.y : lo.y, corner & 4 ? hi.z : lo.z}));
+    }
+    return extent;
+}
 
 AllClassTraits find_class_traits() {
     AllClassTraits all;
@@ -50,9 +73,13 @@ const MeshData& Primitives::mesh_of(const Shape& shape) const {
     return *scene_.meshes[scene_.get<Mesh>()[shape.index].mesh];
 }
 
+bool Primitives::is_triangle_of_mesh(const Shape& shape) const {
+    return shape.kind == ShapeKind::mesh && meshes_ == nullptr;
+}
+
 void Primitives::add(std::uint32_t index) {
     const Shape& shape = scene_.shapes[index];
-    if (shape.kind == ShapeKind::mesh) {
+    if (is_triangle_of_mesh(shape)) {
         const auto count = static_cast<std::uint32_t>(mesh_of(shape).triangles.size());
         for (std::uint32_t triangle = 0; triangle < count; ++triangle)
             list_.push_back({index, k_none, triangle});
@@ -80,7 +107,7 @@ int Primitives::class_of(const Primitive& primitive) const {
     const Shape& s = scene_.shapes[primitive.shape];
     ShapeKind kind = s.kind;
     if (kind == ShapeKind::polygon) kind = ShapeKind::triangle;
-    if (kind == ShapeKind::mesh)
+    if (is_triangle_of_mesh(s))
         kind = mesh_of(s).is_smooth(primitive.element) ? ShapeKind::smooth_triangle : ShapeKind::triangle;
     const int plain = 2 * static_cast<int>(kind);
     return plain + (s.transform != k_none && !class_traits()[static_cast<std::size_t>(plain)].bakes_transform
@@ -113,7 +140,7 @@ template <class Visit> void Primitives::with_parameters(const Primitive& primiti
     const Shape& shape = scene_.shapes[primitive.shape];
     if (primitive.triangle != k_none)
         return visit_transformed(shape, triangles_[primitive.triangle], TriangleGeometry(), visit);
-    if (shape.kind == ShapeKind::mesh) {
+    if (is_triangle_of_mesh(shape)) {
         const MeshData& mesh = mesh_of(shape);
         const auto& [a, b, c] = mesh.triangles[primitive.element];
         const Triangle flat{{mesh.position(a), mesh.position(b), mesh.position(c)}};
@@ -127,7 +154,7 @@ template <class Visit> void Primitives::with_parameters(const Primitive& primiti
     switch (shape.kind) {
 #define GLINT_KIND(Type, word)                                                                  \
     case ShapeKind::word:                                                                       \
-        if constexpr (k_is_packed<Type##Geometry>) {                                            \
+        if constexpr (k_is_packed<Type##Geometry> && !Type##Geometry::k_is_instance) {          \
             visit_transformed(shape, scene_.get<Type>()[shape.index], Type##Geometry(), visit); \
         }                                                                                       \
         break;
@@ -151,31 +178,58 @@ void Primitives::prefetch_parameters(std::uint32_t index) const {
     }
 }
 
+// Padded for the rounding errors of mapped rays, beside those of every box.
+Aabb Primitives::box_of_mesh(const Shape& shape) const {
+    constexpr double k_map_error = 0x1p-40;
+    const PackedMesh& mesh = *(*meshes_)[scene_.get<Mesh>()[shape.index].mesh];
+    const Affine map = shape.transform == k_none ? Affine{} : scene_.transforms[shape.transform];
+    const Extent box = mapped_box(map, mesh.lo, mesh.hi);
+    const double pad = map_magnitude(map, mesh.lo, mesh.hi) * k_map_error;
+    return padded_box(box.lo - Vec3{pad, pad, pad}, box.hi + Vec3{pad, pad, pad});
+}
+
+int Primitives::pack_mesh(const Shape& shape, double* values) const {
+    const std::uint32_t index = scene_.get<Mesh>()[shape.index].mesh;
+    const PackedMesh& mesh = *(*meshes_)[index];
+    const Affine map = shape.transform == k_none ? Affine{} : scene_.transforms[shape.transform];
+    const Affine object_from_world = shape.transform == k_none ? map : inverse(map).value_or(Affine{});
+    int n = 0;
+    for (const auto& row : object_from_world.m) {
+        for (const double value : row) values[n++] = value;
+    }
+    values[MeshGeometry::k_mesh] = index;
+    values[MeshGeometry::k_magnitude] = map_magnitude(map, mesh.lo, mesh.hi);
+    return MeshGeometry::k_values;
+}
+
 Aabb Primitives::box_of(const Primitive& primitive) const {
+    if (const Shape& shape = scene_.shapes[primitive.shape];
+        shape.kind == ShapeKind::mesh && meshes_ != nullptr) {
+        return box_of_mesh(shape);
+    }
     Vec3 lo, hi;
     with_parameters(primitive,
                     [&](const auto& parameters, auto geometry) { geometry.bounds(parameters, lo, hi); });
     const std::uint32_t transform = map_of(primitive);
     if (transform != k_none) {
-        Extent extent;  // of the corners of the box
-        for (int corner = 0; corner < 8; ++corner) {
-            extent.add(transform_point(
-                scene_.transforms[transform],
-                {corner & 1 ? hi.x : lo.x, corner & 2 ? hi.y : lo.y, corner & 4 ? hi.z : lo.z}));
-        }
+        const Extent extent = mapped_box(scene_.transforms[transform], lo, hi);
         lo = extent.lo, hi = extent.hi;
     }
     return padded_box(lo, hi);
 }
 
 bool Primitives::is_open(const Primitive& primitive) const {
-    bool open = false;
+    bool open = true;  // as meshes are
     with_parameters(primitive,
                     [&](const auto& parameters, auto geometry) { open = geometry.is_open(parameters); });
     return open;
 }
 
 int Primitives::pack(const Primitive& primitive, double* values) const {
+    if (const Shape& shape = scene_.shapes[primitive.shape];
+        shape.kind == ShapeKind::mesh && meshes_ != nullptr) {
+        return pack_mesh(shape, values);
+    }
     int n = 0;
     with_parameters(primitive, [&](const auto& parameters, auto geometry) {
         static_assert(Transformed<decltype(geometry)>::k_values <= k_max_values);
@@ -192,8 +246,9 @@ int Primitives::pack(const Primitive& primitive, double* values) const {
 }
 
 bool is_closed(const Scene& scene, std::uint32_t shape) {
-    if (is_packed_as_triangles(scene.shapes[shape].kind)) return false;
-    return !Primitives(scene).is_open({shape, k_none, 0});
+    const ShapeKind kind = scene.shapes[shape].kind;
+    if (kind == ShapeKind::polygon || kind == ShapeKind::mesh) return false;
+    return !Primitives(scene, nullptr).is_open({shape, k_none, 0});
 }
 
 }  // namespace glint

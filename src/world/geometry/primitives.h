@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The primitives of a scene's shapes: one per shape, or one per triangle of a polygon or mesh.
+// The primitives of a scene's shapes: one per shape, or one per triangle of a polygon; of a mesh by itself,
+// one per triangle.
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -8,6 +9,7 @@
 
 #include "glint/scene.h"
 #include "math/aabb.h"
+#include "world/geometry/packed_geometry.h"
 
 namespace glint {
 
@@ -21,11 +23,7 @@ struct Primitive {
     std::uint32_t element = 0;        // SurfaceId::element: the number of the polygon's or mesh's triangle
 };
 
-/// Whether shapes of this kind are packed as triangles: their primitives are their elements.
-constexpr bool is_packed_as_triangles(ShapeKind kind) {
-    return kind == ShapeKind::polygon || kind == ShapeKind::mesh;
-}
-/// Whether the scene has such shapes.
+/// Whether a shape of the scene has several elements.
 bool has_elements(const Scene& scene);
 
 /// Properties of a class.
@@ -41,7 +39,8 @@ const AllClassTraits& class_traits();
 /// Packs the shapes of a valid scene one by one.
 class Primitives {
   public:
-    explicit Primitives(const Scene& scene) : scene_(scene) {}
+    /// meshes: for the boxes of shapes that have a mesh; null: meshes are packed as triangles.
+    Primitives(const Scene& scene, const PackedMeshes* meshes) : scene_(scene), meshes_(meshes) {}
 
     /// Appends the primitives of a shape. Triangulates polygons.
     void add(std::uint32_t shape);
@@ -76,7 +75,12 @@ class Primitives {
     template <class Visit> void with_parameters(const Primitive& primitive, Visit&& visit) const;
     const MeshData& mesh_of(const Shape& shape) const;
 
+    bool is_triangle_of_mesh(const Shape& shape) const;
+    Aabb box_of_mesh(const Shape& shape) const;
+    int pack_mesh(const Shape& shape, double* values) const;
+
     const Scene& scene_;
+    const PackedMeshes* meshes_;
     std::vector<Primitive> list_;
     std::vector<Triangle> triangles_;
 };

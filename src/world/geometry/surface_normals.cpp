@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/kinds-inl.h"
+#include "world/geometry/mesh_normals-inl.h"
 #include "world/geometry/packed_geometry.h"
 #include "world/geometry/packed_values-inl.h"
 
@@ -9,12 +10,21 @@ namespace {
 using namespace HWY_NAMESPACE;
 
 struct NormalsOf {
+    const PackedGeometry& geometry;
     const ShapeClass& shapes;
-    std::uint32_t slot;
+    SurfaceId id;
     Vector3<double> point, shading, face;
     template <class Geometry> void visit() {
+        if constexpr (Geometry::k_is_instance) {
+            const MeshNormals normals = mesh_normals(geometry, shapes, id, point);
+            shading = normals.shading, face = normals.face;
+        } else {
+            compute<Geometry>();
+        }
+    }
+    template <class Geometry> void compute() {
         double p[Geometry::k_values];
-        broadcast_values<Geometry::k_values>(shapes, slot, p);
+        broadcast_values<Geometry::k_values>(shapes, id.slot, p);
         shading = Geometry::normal(p, point);
         face = face_normal<Geometry>(p, shading);
     }
@@ -24,7 +34,7 @@ struct NormalsOf {
 
 SurfaceNormals surface_normals(const PackedGeometry& geometry, SurfaceId id, Vec3 point) {
     const ShapeClass& shapes = geometry.class_of(id.slot);
-    NormalsOf of{shapes, id.slot, {point.x, point.y, point.z}, {}, {}};
+    NormalsOf of{geometry, shapes, id, {point.x, point.y, point.z}, {}, {}};
     visit_geometry(shapes.kind, shapes.transformed, of);
     return {{of.shading.x, of.shading.y, of.shading.z}, {of.face.x, of.face.y, of.face.z}};
 }

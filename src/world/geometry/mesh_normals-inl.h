@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The normals of a triangle of a shape's mesh.
+#if defined(GLINT_WORLD_MESH_NORMALS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_WORLD_MESH_NORMALS_INL_H_
+#undef GLINT_WORLD_MESH_NORMALS_INL_H_
+#else
+#define GLINT_WORLD_MESH_NORMALS_INL_H_
+#endif
+
+#include "geometry/kinds-inl.h"
+#include "world/geometry/packed_mesh.h"
+#include "world/geometry/packed_values-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// In the world, at a point of the world. face: of any length.
+struct MeshNormals {
+    Vector3<double> shading, face;
+};
+inline MeshNormals mesh_normals(const PackedGeometry& geometry, const ShapeClass& shapes, SurfaceId id,
+                                Vector3<double> point) {
+    double p[MeshGeometry::k_values];
+    broadcast_values<MeshGeometry::k_values>(shapes, id.slot, p);
+    const MeshData& mesh = *geometry.meshes[static_cast<std::size_t>(p[MeshGeometry::k_mesh])]->data;
+    const auto& corners = mesh.triangles[id.element];
+    const Triangle flat{{mesh.position(corners[0]), mesh.position(corners[1]), mesh.position(corners[2])}};
+    double q[SmoothTriangleGeometry::k_values];
+    TriangleGeometry::pack(flat, q);
+    const Vector3<double> face = SmoothTriangleGeometry::face_normal(q);
+    Vector3<double> shading = face;
+    if (mesh.is_smooth(id.element)) {
+        SmoothTriangle smooth{{flat.vertices[0], flat.vertices[1], flat.vertices[2]}, {}};
+        for (std::size_t i = 0; i < 3; ++i) smooth.normals[i] = to_vec3(mesh.normals[corners[i]]);
+        SmoothTriangleGeometry::pack(smooth, q);
+        shading = SmoothTriangleGeometry::normal(q, AffineMap::affine(p, point));
+    }
+    return {normalize(AffineMap::to_world_normal(p, shading)), AffineMap::to_world_normal(p, face)};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif
