@@ -435,6 +435,7 @@ class Mesh(Shape):
         vertices: Any,
         triangles: Any,
         normals: Any = ...,
+        colors: Any = ...,
         *,
         material: Optional[Material] = ...,
         color: Optional[ColorLike] = ...,
@@ -447,6 +448,8 @@ class Mesh(Shape):
     def triangles(self) -> npt.NDArray[np.uint32]: ...
     @property
     def normals(self) -> Optional[npt.NDArray[np.float32]]: ...
+    @property
+    def colors(self) -> Optional[npt.NDArray[np.float32]]: ...
 
 class Rendering:
     def __init__(self, array: npt.NDArray[np.float32]) -> None: ...

@@ -41,8 +41,17 @@ bool is_float32(const py::object& value) {
     return py::isinstance<py::array>(value) && py::isinstance<py::array_t<float>>(value);
 }
 
+void set_values(CornerValues& to, const py::object& rows, const char* name, std::size_t vertices) {
+    if (rows.is_none()) return;
+    to.values = items_of<float, Float3>(to_rows<float>(rows, name));
+    if (to.values.size() != vertices) {
+        throw py::value_error(fmt::format("{}: expected {}, one for each vertex, found {}", name, vertices,
+                                          to.values.size()));
+    }
+}
+
 std::shared_ptr<const MeshData> make_data(const py::object& vertices, const py::object& triangles,
-                                          const py::object& normals) {
+                                          const py::object& normals, const py::object& colors) {
     auto data = std::make_shared<MeshData>();
     if (is_float32(vertices)) {
         data->single_positions = items_of<float, Float3>(to_rows<float>(vertices, "vertices"));
@@ -63,11 +72,8 @@ std::shared_ptr<const MeshData> make_data(const py::object& vertices, const py::
         data->triangles.push_back({static_cast<std::uint32_t>(at[0]), static_cast<std::uint32_t>(at[1]),
                                    static_cast<std::uint32_t>(at[2])});
     }
-    if (!normals.is_none()) data->normals = items_of<float, Float3>(to_rows<float>(normals, "normals"));
-    if (!data->normals.empty() && data->normals.size() != data->vertex_count()) {
-        throw py::value_error(fmt::format("normals: expected {}, one for each vertex, found {}",
-                                          data->vertex_count(), data->normals.size()));
-    }
+    set_values(data->normals, normals, "normals", data->vertex_count());
+    set_values(data->colors, colors, "colors", data->vertex_count());
     return data;
 }
 
@@ -80,6 +86,10 @@ py::object rows_of(const std::vector<Item>& items, const std::shared_ptr<const M
                         reinterpret_cast<const T*>(items.data()), owner);
     rows.attr("flags").attr("writeable") = false;
     return rows;
+}
+
+py::object values_of(const CornerValues& of, const std::shared_ptr<const MeshData>& data) {
+    return of.empty() ? py::none() : rows_of<float>(of.values, data);
 }
 
 std::uint32_t index_in(Scene& scene, const std::shared_ptr<const MeshData>& data) {
@@ -116,18 +126,19 @@ bool MeshBox::same(const ShapeBox& other) const {
 void bind_mesh(py::module_& m) {
     py::class_<MeshBox, ShapeBox, std::shared_ptr<MeshBox>>(
         m, "Mesh",
-        "Mesh(vertices, triangles, normals=None): triangles with common vertices. The data does not change; "
+        "Mesh(vertices, triangles, normals=None, colors=None): triangles with common vertices. The data does not change; "
         "copies of a mesh share it.")
         .def(py::init([](const py::object& vertices, const py::object& triangles, const py::object& normals,
-                         const py::kwargs& keywords) {
+                         const py::object& colors, const py::kwargs& keywords) {
                  auto shape = std::make_shared<MeshBox>();
-                 shape->data = make_data(vertices, triangles, normals);
+                 shape->data = make_data(vertices, triangles, normals, colors);
                  for (const auto& [key, value] : keywords)
                      if (!set_common(*shape, py::str(key), value))
                          throw py::type_error("mesh has no attribute " + py::repr(key).cast<std::string>());
                  return shape;
              }),
-             py::arg("vertices"), py::arg("triangles"), py::arg("normals") = py::none())
+             py::arg("vertices"), py::arg("triangles"), py::arg("normals") = py::none(),
+             py::arg("colors") = py::none())
         .def_property_readonly(
             "vertices",
             [](const MeshBox& mesh) -> py::object {
@@ -144,10 +155,15 @@ void bind_mesh(py::module_& m) {
         .def_property_readonly(
             "normals",
             [](const MeshBox& mesh) -> py::object {
-                if (mesh.data->normals.empty()) return py::none();
-                return rows_of<float>(mesh.data->normals, mesh.data);
+                return values_of(mesh.data->normals, mesh.data);
             },
-            "By vertex, of any length, as an N x 3 array of float32; None: the triangles are flat");
+            "Of any length, as an N x 3 array of float32, one for each vertex unless the mesh is from a file "
+            "that numbers them otherwise; None: the triangles are flat")
+        .def_property_readonly(
+            "colors",
+            [](const MeshBox& mesh) -> py::object { return values_of(mesh.data->colors, mesh.data); },
+            "Linear colors, as an N x 3 array of float32, which are interpolated and replace the color of the "
+            "shape; one for each vertex, as the normals; None: the triangles have the shape's color");
 }
 
 }  // namespace glint::python

@@ -2,6 +2,7 @@
 #include "formats/glint_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "formats/mesh_file.h"
 
@@ -9,6 +10,7 @@ namespace glint {
 namespace {
 
 constexpr Range k_vertex{0, 4294967294.0, false, false, "a whole number from 0 to 4294967294"};
+constexpr Range k_value{-1, 4294967294.0, false, false, "a whole number from 0 to 4294967294, or -1"};
 
 Float3 to_single(Vec3 v) {
     return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
@@ -28,9 +30,15 @@ bool MeshText::read_key(int field, const Token& key) {
         return true;
     }
     has_lists_ = true;
-    if (field == 3) return read_triangles();
     (void)key;
-    return read_points(field == 1 ? mesh_.positions : normals_);
+    switch (field) {
+        case 1: return read_points(mesh_.positions);
+        case 2: return read_corners(mesh_.triangles, false);
+        case 3: return read_values(mesh_.normals.values);
+        case 4: return read_corners(mesh_.normals.corners, true);
+        case 5: return read_values(mesh_.colors.values);
+        default: return read_corners(mesh_.colors.corners, true);
+    }
 }
 
 bool MeshText::read_points(std::vector<Vec3>& points) {
@@ -43,19 +51,28 @@ bool MeshText::read_points(std::vector<Vec3>& points) {
     });
 }
 
-bool MeshText::read_triangles() {
-    mesh_.triangles.clear();
-    return read_list(t_, "triangles `(a, b, c)` of numbers of vertices", [&] {
-        double corners[3] = {};
+bool MeshText::read_values(std::vector<Float3>& values) {
+    std::vector<Vec3> points;
+    if (!read_points(points)) return false;
+    values.clear();
+    for (const Vec3& p : points) values.push_back(to_single(p));
+    return true;
+}
+
+bool MeshText::read_corners(std::vector<TriangleCorners>& corners, bool may_be_none) {
+    corners.clear();
+    const Range& range = may_be_none ? k_value : k_vertex;
+    return read_list(t_, "triangles `(a, b, c)` of whole numbers", [&] {
+        double numbers[3] = {};
         const Token at = t_.p.token();
-        if (!t_.p.triple(corners, k_vertex, '(', ')')) return false;
-        std::array<std::uint32_t, 3> triangle{};
+        if (!t_.p.triple(numbers, range, '(', ')')) return false;
+        TriangleCorners triangle{};
         for (std::size_t i = 0; i < 3; ++i) {
-            triangle[i] = static_cast<std::uint32_t>(corners[i]);
-            if (static_cast<double>(triangle[i]) != corners[i])
-                t_.p.error(at, fmt::format("expected whole numbers of vertices, found {}", corners[i]));
+            if (std::floor(numbers[i]) != numbers[i])
+                t_.p.error(at, fmt::format("expected whole numbers, found {}", numbers[i]));
+            triangle[i] = numbers[i] < 0 ? CornerValues::k_none : static_cast<std::uint32_t>(numbers[i]);
         }
-        mesh_.triangles.push_back(triangle);
+        corners.push_back(triangle);
         return true;
     });
 }
@@ -72,7 +89,6 @@ std::optional<std::uint32_t> MeshText::mesh_index(const Token& word) {
         t_.p.error(word, "expected a mesh's `file`, or its `vertices` and `triangles`");
         return std::nullopt;
     }
-    for (const Vec3& n : normals_) mesh_.normals.push_back(to_single(n));
     const bool is_single = std::all_of(mesh_.positions.begin(), mesh_.positions.end(),
                                        [](const Vec3& p) { return to_vec3(to_single(p)) == p; });
     if (is_single) {

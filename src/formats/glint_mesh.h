@@ -12,7 +12,8 @@ class MeshText {
   public:
     explicit MeshText(GlintText& t) : t_(t) {}
 
-    /// Reads the value of key number `field`: file, vertices, normals, triangles. False if there is none.
+    /// Reads the value of key number `field`: file, vertices, triangles, normals, normal_corners, colors,
+    /// color_corners. False if there is none.
     bool read_key(int field, const Token& key);
     /// The index in Scene::meshes, once all keys are read. Nothing after an error, reported at the block's
     /// word if it is of the block.
@@ -20,12 +21,12 @@ class MeshText {
 
   private:
     bool read_points(std::vector<Vec3>& points);
-    bool read_triangles();
+    bool read_values(std::vector<Float3>& values);
+    bool read_corners(std::vector<TriangleCorners>& corners, bool may_be_none);
 
     GlintText& t_;
     std::optional<Token> file_;
     bool has_lists_ = false;
-    std::vector<Vec3> normals_;
     MeshData mesh_;
 };
 

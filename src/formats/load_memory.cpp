@@ -26,8 +26,9 @@ std::uint64_t bytes_of(const Scene& scene) {
     GLINT_SHAPES(GLINT_KIND)
 #undef GLINT_KIND
     for (const auto& mesh : scene.meshes) {
-        bytes += bytes_of(mesh->single_positions) + bytes_of(mesh->positions) + bytes_of(mesh->normals) +
-                 bytes_of(mesh->triangles);
+        bytes += bytes_of(mesh->single_positions) + bytes_of(mesh->positions) + bytes_of(mesh->triangles);
+        for (const CornerValues* values : {&mesh->normals, &mesh->colors})
+            bytes += bytes_of(values->values) + bytes_of(values->corners);
     }
     return bytes;
 }

@@ -234,7 +234,7 @@ template <class Numbers> class PlyBody {
         }
         MeshData& mesh = *mesh_;
         if (!(single ? reserve(mesh.single_positions, count) : reserve(mesh.positions, count)) ||
-            (has_normals && !reserve(mesh.normals, count))) {
+            (has_normals && !reserve(mesh.normals.values, count))) {
             return false;
         }
         std::vector<int> columns;
@@ -253,7 +253,7 @@ template <class Numbers> class PlyBody {
             } else {
                 mesh.positions.push_back({v[0], v[1], v[2]});
             }
-            if (has_normals) mesh.normals.push_back(to_single(v + 3));
+            if (has_normals) mesh.normals.values.push_back(to_single(v + 3));
         }
         return !reading_.diagnostics.full();
     }

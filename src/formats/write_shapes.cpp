@@ -151,13 +151,24 @@ class ShapeWriter {
         const MeshData& mesh = *scene_.meshes[m.mesh];
         write_list("vertices", mesh.vertex_count(),
                    [&](std::size_t i) { return mesh.position(static_cast<std::uint32_t>(i)); });
-        if (!mesh.normals.empty())
-            write_list("normals", mesh.normals.size(),
-                       [&](std::size_t i) { return to_vec3(mesh.normals[i]); });
-        std::string& text = begin_list("triangles");
-        for (const auto& [a, b, c] : mesh.triangles) {
+        write_corners("triangles", mesh.triangles);
+        write_values("normals", "normal_corners", mesh.normals);
+        write_values("colors", "color_corners", mesh.colors);
+    }
+    void write_values(std::string_view key, std::string_view corners_key, const CornerValues& of) {
+        if (of.empty()) return;
+        write_list(key, of.values.size(), [&](std::size_t i) { return to_vec3(of.values[i]); });
+        if (!of.corners.empty()) write_corners(corners_key, of.corners);
+    }
+    void write_corners(std::string_view key, std::span<const TriangleCorners> corners) {
+        std::string& text = begin_list(key);
+        for (const TriangleCorners& triangle : corners) {
             next_item(text);
-            fmt::format_to(std::back_inserter(text), "({}, {}, {})", a, b, c);
+            const auto number = [](std::uint32_t n) {
+                return n == CornerValues::k_none ? -1 : static_cast<std::int64_t>(n);
+            };
+            fmt::format_to(std::back_inserter(text), "({}, {}, {})", number(triangle[0]), number(triangle[1]),
+                           number(triangle[2]));
         }
         text += ')';
     }

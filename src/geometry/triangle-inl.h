@@ -7,6 +7,8 @@
 #define GLINT_GEOMETRY_TRIANGLE_INL_H_
 #endif
 
+#include <array>
+
 #include "geometry/ray-inl.h"
 #include "geometry/traits.h"
 #include "glint/shapes.h"
@@ -201,10 +203,14 @@ struct SmoothTriangleGeometry : TriangleGeometry {
     template <class T> static HWY_INLINE Vector3<T> face_normal(const T* p) {
         return cross(vector3(p + 3) - vector3(p), vector3(p + 6) - vector3(p));
     }
-    template <class T> static HWY_INLINE Vector3<T> normal(const T* p, Vector3<T> point) {
+    /// The point's barycentric coordinates, times the square of the face normal's length.
+    template <class T> static HWY_INLINE std::array<T, 3> areas(const T* p, Vector3<T> point) {
         const Vector3<T> a = vector3(p) - point, b = vector3(p + 3) - point, c = vector3(p + 6) - point;
         const Vector3<T> n = face_normal(p);
-        const T u = dot(cross(b, c), n), v = dot(cross(c, a), n), w = dot(cross(a, b), n);
+        return {dot(cross(b, c), n), dot(cross(c, a), n), dot(cross(a, b), n)};
+    }
+    template <class T> static HWY_INLINE Vector3<T> normal(const T* p, Vector3<T> point) {
+        const auto [u, v, w] = areas(p, point);
         return normalize(vector3(p + 9) * u + vector3(p + 12) * v + vector3(p + 15) * w);
     }
 };

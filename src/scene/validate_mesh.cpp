@@ -3,21 +3,46 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <string_view>
+#include <utility>
 
 #include "scene/ranges.h"
 #include "scene/validate_shapes.h"
 
 namespace glint {
 
+namespace {
+
+// what: a normal or a color.
+std::string mistake_in(const CornerValues& of, const MeshData& mesh, std::string_view what) {
+    const std::size_t triangles = mesh.triangles.size();
+    if (of.corners.empty()) {
+        if (!of.empty() && of.values.size() != mesh.vertex_count())
+            return fmt::format("expected {} {}s, one for each vertex, found {}", mesh.vertex_count(), what,
+                               of.values.size());
+    } else if (of.corners.size() != triangles) {
+        return fmt::format("expected the {}s of {} triangles, found those of {}", what, triangles,
+                           of.corners.size());
+    }
+    for (std::size_t i = 0; i < of.corners.size(); ++i) {
+        for (const std::uint32_t v : of.corners[i]) {
+            if (v != CornerValues::k_none && v >= of.values.size())
+                return fmt::format("triangle {}: expected a {} below {}, found {}", i, what, of.values.size(),
+                                   v);
+        }
+    }
+    return {};
+}
+
+}  // namespace
+
 std::string mistake_in(const MeshData& mesh) {
     const std::size_t vertices = mesh.vertex_count();
     if (mesh.triangles.empty()) return "expected at least one triangle, found none";
     if (!mesh.positions.empty() && !mesh.single_positions.empty())
         return "expected positions in one precision, found both";
-    if (!mesh.normals.empty() && mesh.normals.size() != vertices) {
-        return fmt::format("expected {} normals, one for each vertex, found {}", vertices,
-                           mesh.normals.size());
+    for (const auto& [values, what] : {std::pair{&mesh.normals, "normal"}, {&mesh.colors, "color"}}) {
+        if (std::string mistake = mistake_in(*values, mesh, what); !mistake.empty()) return mistake;
     }
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         for (const std::uint32_t v : mesh.triangles[i]) {
@@ -29,9 +54,14 @@ std::string mistake_in(const MeshData& mesh) {
         if (const Vec3 p = mesh.position(v); !is_coordinate(p))
             return fmt::format("vertex {}: expected coordinates within 1e12, found {}", v, text(p));
     }
-    for (std::size_t v = 0; v < mesh.normals.size(); ++v) {
-        if (const Vec3 n = to_vec3(mesh.normals[v]); !is_coordinate(n))
-            return fmt::format("vertex {}: expected a normal within 1e12, found {}", v, text(n));
+    for (std::size_t i = 0; i < mesh.normals.values.size(); ++i) {
+        if (const Vec3 n = to_vec3(mesh.normals.values[i]); !is_coordinate(n))
+            return fmt::format("normal {}: expected numbers within 1e12, found {}", i, text(n));
+    }
+    for (std::size_t i = 0; i < mesh.colors.values.size(); ++i) {
+        const Vec3 c = to_vec3(mesh.colors.values[i]);
+        if (!is_coordinate(c) || c.x < 0 || c.y < 0 || c.z < 0)
+            return fmt::format("color {}: expected numbers from 0 to 1e12, found {}", i, text(c));
     }
     return {};
 }

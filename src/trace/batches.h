@@ -293,6 +293,10 @@ struct SteppedRays {
     SurfaceId surface(int i) const {
         return {slot[static_cast<std::size_t>(i)], element[static_cast<std::size_t>(i)]};
     }
+    Vec3 point_of(int i) const {  // of the hit
+        const auto k = static_cast<std::size_t>(i);
+        return Vec3{origin[0][k], origin[1][k], origin[2][k]} + direction_of(i) * t[k];
+    }
     Vec3 direction_of(int i) const {  // of any length
         const auto k = static_cast<std::size_t>(i);
         return {direction[0][k], direction[1][k], direction[2][k]};

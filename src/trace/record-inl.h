@@ -51,8 +51,8 @@ inline ExplainedHit recorded_hit(const WorldParts& world, const SurfaceBatch& su
     hit.shape = world.geometry->shape_of(id);
     hit.element = id.element;
     hit.material = surfaces.material[h];
-    if (const ShapeColor color = own_color(world, id); color.is_set()) hit.color = color.color();
     hit.point = vec3_at(surfaces.point, i);
+    if (const ShapeColor color = own_color(world, id, &hit.point); color.is_set()) hit.color = color.color();
     hit.normal = vec3_at(surfaces.normal, i);
     hit.to_eye = vec3_at(surfaces.to_eye, i);
     hit.behind = surfaces.behind[h] > 0;
@@ -128,7 +128,7 @@ inline ShadowFilter recorded_filter(const WorldParts& world, const TileRecord::S
                                     const Terms& terms, Vec3 shaded) {
     const Vec3 at = terms.origin + terms.direction * step.t;
     return {world.geometry->shape_of(step.surface), glint::length(at - shaded), at,
-            shadow_factor(world, step.surface)};
+            shadow_factor(world, step.surface, at)};
 }
 /// The transparent surfaces on the way of a shadow ray, from P.
 inline std::vector<ShadowFilter> recorded_filters(const WorldParts& world, const Light& light, int ray,

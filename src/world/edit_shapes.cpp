@@ -55,7 +55,7 @@ class ShapeEditor {
         PackedGeometry& geometry = parts.geometry.own();
         need_edit_index(geometry);
         if (!fits(geometry)) return rebuild(edit);
-        geometry.meshes = meshes_;
+        geometry.set_meshes(meshes_);
         std::vector<std::uint32_t>& rows = parts.slot_material.own();
         prepare_colors(parts);
         const bool many = changed_.size() + primitives_.list().size() > geometry.count / k_many;
@@ -88,12 +88,13 @@ class ShapeEditor {
         }
     }
 
-    // Sets `colors_` if a shape has a color of its own, or had one.
+    // Sets `colors_` if a shape or a mesh has colors of its own, or had some.
     void prepare_colors(WorldParts& parts) {
         if (parts.slot_color->empty()) {
-            const bool any = std::any_of(changed_.begin(), changed_.end(), [&](std::uint32_t shape) {
-                return scene_.shape_color(shape).has_value();
-            });
+            const bool any = parts.geometry->has_mesh_colors ||
+                             std::any_of(changed_.begin(), changed_.end(), [&](std::uint32_t shape) {
+                                 return scene_.shape_color(shape).has_value();
+                             });
             if (any) set_colors(parts, scene_.shape_colors, options_.threads);
         } else {
             colors_ = &parts.slot_color.own();

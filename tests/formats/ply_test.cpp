@@ -77,8 +77,8 @@ TEST(Ply, BinaryFilesHaveEitherOrderOfBytes) {
         ASSERT_TRUE(result) << messages(result);
         const MeshData& mesh = mesh_of(*result);
         EXPECT_EQ(mesh.positions, (std::vector<Vec3>{{0, 0, 0}, {0.1, 0.5, -1}, {0.2, 2, -2}}));
-        EXPECT_EQ(mesh.normals, (std::vector<Float3>{{0, 0, 2}, {0, 0, 2}, {0, 0, 0}}));
-        EXPECT_FALSE(mesh.is_smooth(0)) << "a corner has the normal 0";
+        EXPECT_EQ(mesh.normals.values, (std::vector<Float3>{{0, 0, 2}, {0, 0, 2}, {0, 0, 0}}));
+        EXPECT_FALSE(mesh.corner_normals(0)) << "a corner has the normal 0";
         ASSERT_EQ(mesh.triangles.size(), 1u);
         EXPECT_NE(messages(result).find("colors of vertices"), std::string::npos);
         EXPECT_NE(messages(result).find("1 faces with fewer than three vertices"), std::string::npos);
@@ -152,7 +152,7 @@ TEST(Ply, AGlintSceneUsesAFileSeveralTimes) {
     EXPECT_EQ(result->meshes.size(), 2u);
     EXPECT_EQ(result->shapes.size(), 3u);
     EXPECT_EQ(result->meshes[1]->positions[1], (Vec3{0.1, 0, 0}));
-    EXPECT_TRUE(result->meshes[1]->is_smooth(0));
+    EXPECT_TRUE(result->meshes[1]->corner_normals(0));
     EXPECT_TRUE(result->lights.empty()) << "only a file alone has its own lights";
 }
 

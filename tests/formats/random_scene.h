@@ -277,11 +277,30 @@ class RandomScene {
             } else {
                 mesh.positions.push_back(point());
             }
-            if (is_smooth) mesh.normals.push_back(pick(3) == 0 ? Float3{} : single(direction()));
+            if (is_smooth) mesh.normals.values.push_back(pick(3) == 0 ? Float3{} : single(direction()));
         }
-        const auto corner = [&] { return static_cast<std::uint32_t>(pick(vertices)); };
-        for (std::size_t i = 0; i < 1 + pick(4); ++i)
-            mesh.triangles.push_back({corner(), corner(), corner()});
+        const auto corners = [&](std::size_t below) {
+            const auto corner = [&] { return static_cast<std::uint32_t>(pick(below)); };
+            return TriangleCorners{corner(), corner(), corner()};
+        };
+        for (std::size_t i = 0; i < 1 + pick(4); ++i) mesh.triangles.push_back(corners(vertices));
+        if (is_smooth && pick(2) == 0) {
+            for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+                mesh.normals.corners.push_back(corners(vertices));
+        }
+        if (pick(2) == 0) {
+            const bool by_vertex = pick(2) == 0;
+            const std::size_t colors = by_vertex ? vertices : 1 + pick(4);
+            for (std::size_t i = 0; i < colors; ++i) {
+                const Color c = color();
+                mesh.colors.values.push_back(single({c.r, c.g, c.b}));
+            }
+            for (std::size_t i = 0; !by_vertex && i < mesh.triangles.size(); ++i) {
+                constexpr std::uint32_t none = CornerValues::k_none;
+                mesh.colors.corners.push_back(pick(4) == 0 ? TriangleCorners{none, none, none}
+                                                           : corners(colors));
+            }
+        }
         s.meshes.push_back(std::make_shared<const MeshData>(std::move(mesh)));
     }
 

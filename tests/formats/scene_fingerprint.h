@@ -32,6 +32,11 @@ class SceneFingerprint {
     void add(std::span<const Vec3> points) {
         for (const Vec3& p : points) add(p);
     }
+    void add(std::span<const TriangleCorners> triangles) {
+        for (const TriangleCorners& t : triangles) {
+            for (const std::uint32_t v : t) add(static_cast<double>(v));
+        }
+    }
     void add(const Sphere& s) { add(s.center), add(s.radius); }
     void add(const Plane& p) { add(p.point), add(p.normal); }
     void add(const Cylinder& c) { add(c.from), add(c.to), add(c.radius), add(c.caps); }
@@ -43,10 +48,11 @@ class SceneFingerprint {
     void add(const Mesh& m) {
         const MeshData& mesh = *s_.meshes[m.mesh];
         for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) add(mesh.position(v));
-        for (const Float3& n : mesh.normals) add(to_vec3(n));
-        for (const auto& t : mesh.triangles) {
-            for (const std::uint32_t v : t) add(static_cast<double>(v));
+        for (const CornerValues* values : {&mesh.normals, &mesh.colors}) {
+            for (const Float3& v : values->values) add(to_vec3(v));
+            add(std::span(values->corners));
         }
+        add(std::span(mesh.triangles));
     }
     void add(const Polygon& p) { add(std::span(s_.polygon_vertices).subspan(p.first, p.count)); }
     void add(const Material& m) {

@@ -23,7 +23,7 @@ MeshData random_mesh(Random& random, bool smooth, bool single) {
         } else {
             mesh.positions.push_back(p);
         }
-        if (smooth) mesh.normals.push_back(i % 3 == 0 ? Float3{} : narrow(n));
+        if (smooth) mesh.normals.values.push_back(i % 3 == 0 ? Float3{} : narrow(n));
     }
     for (int i = 0; i < 60; ++i) mesh.triangles.push_back({corner(random), corner(random), corner(random)});
     return mesh;
@@ -33,10 +33,10 @@ void add_triangles(Scene& scene, const MeshData& mesh, std::uint32_t material, s
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         const auto [a, b, c] = mesh.triangles[i];
         const Triangle flat{{mesh.position(a), mesh.position(b), mesh.position(c)}};
-        if (mesh.is_smooth(i)) {
+        if (const auto normals = mesh.corner_normals(i)) {
+            const auto& [na, nb, nc] = *normals;
             scene.add(SmoothTriangle{{flat.vertices[0], flat.vertices[1], flat.vertices[2]},
-                                     {to_vec3(mesh.normals[a]), to_vec3(mesh.normals[b]),
-                                      to_vec3(mesh.normals[c])}},
+                                     {to_vec3(na), to_vec3(nb), to_vec3(nc)}},
                       material, transform);
         } else {
             scene.add(flat, material, transform);

@@ -40,7 +40,7 @@ inline void filter_light(const WorldParts& world, ShadowRayBatch& rays, SteppedR
             if (!id.exists()) continue;
             const auto i = static_cast<std::size_t>(steps.number[at]);
             if (colors_light(world, id)) {
-                const Color factor = shadow_factor(world, id);
+                const Color factor = shadow_factor(world, id, steps.point_of(k));
                 const double factors[] = {factor.r, factor.g, factor.b};
                 double most = 0;
                 for (std::size_t c = 0; c < 3; ++c) {

@@ -8,23 +8,25 @@
 #endif
 
 #include "trace/batches.h"
+#include "trace/columns.h"
 #include "world/appearance/appearance.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Writes the values of the hits' materials with the colors of their shapes. Consecutive hits of one surface
-/// share a row.
+/// Writes the values of the hits' materials with the colors of their shapes, or of their meshes' vertices.
+/// Consecutive hits of one surface share a row if its color is the same everywhere.
 inline void write_colored_rows(const WorldParts& world, SurfaceBatch& surfaces) {
     surfaces.colored_rows.resize(std::size_t{k_batch_size} * k_material_values);
     std::uint32_t* rows = surfaces.colored_row.data();
     std::uint32_t row = 0;
     for (int h = 0; h < surfaces.count; ++h) {
         const SurfaceId id = surfaces.surface(h);
-        if (h == 0 || id != surfaces.surface(h - 1)) {
+        if (h == 0 || world.geometry->has_mesh_colors || id != surfaces.surface(h - 1)) {
             if (h > 0) ++row;
-            write_surface_values(world, id,
+            const Vec3 point = vec3_at(surfaces.point, h);
+            write_surface_values(world, id, &point,
                                  surfaces.colored_rows.data() + std::size_t{row} * k_material_values);
         }
         rows[h] = row;

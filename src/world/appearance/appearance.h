@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "world/geometry/mesh_colors.h"
 #include "world/world.h"
 
 namespace glint {
@@ -13,18 +14,24 @@ inline std::uint32_t material_row(const WorldParts& world, SurfaceId id) {
     return (*world.slot_material)[id.slot];
 }
 
-/// The surface's own color; not set if it has none.
-inline ShapeColor own_color(const WorldParts& world, SurfaceId id) {
+/// The surface's own color at a point: that of the mesh's vertices, else the shape's; not set if there is
+/// none. point: nullptr for the largest color of the mesh's triangle.
+inline ShapeColor own_color(const WorldParts& world, SurfaceId id, const Vec3* point) {
     if (world.slot_color->empty()) return {};
+    if (world.geometry->has_mesh_colors) {
+        const ShapeColor color = point != nullptr ? mesh_color(*world.geometry, id, *point)
+                                                  : brightest_mesh_color(*world.geometry, id);
+        if (color.is_set()) return color;
+    }
     const float* c = world.slot_color->data() + 3 * std::size_t{id.slot};
     return {c[0], c[1], c[2]};
 }
 
-/// Writes the k_material_values of a surface: its material's row, with its own color.
-inline void write_surface_values(const WorldParts& world, SurfaceId id, double* to) {
+/// Writes the k_material_values of a surface: its material's row, with its own_color().
+inline void write_surface_values(const WorldParts& world, SurfaceId id, const Vec3* point, double* to) {
     const std::uint32_t row = material_row(world, id);
     std::copy_n(world.material(row), k_material_values, to);
-    const ShapeColor color = own_color(world, id);
+    const ShapeColor color = own_color(world, id, point);
     if (!color.is_set()) return;
     const double channels[3] = {color.r, color.g, color.b};
     const double* factors = world.color_factors->data() + std::size_t{row} * k_color_factors;
@@ -35,15 +42,16 @@ inline void write_surface_values(const WorldParts& world, SurfaceId id, double* 
         }
     }
 }
+/// With the largest color of a mesh's triangle.
 inline std::array<double, k_material_values> surface_values(const WorldParts& world, SurfaceId id) {
     std::array<double, k_material_values> values{};
-    write_surface_values(world, id, values.data());
+    write_surface_values(world, id, nullptr, values.data());
     return values;
 }
 
-/// The color of the surface: its own or its material's.
-inline Color surface_color(const WorldParts& world, SurfaceId id) {
-    const ShapeColor own = own_color(world, id);
+/// The color of the surface at a point: its own or its material's.
+inline Color surface_color(const WorldParts& world, SurfaceId id, Vec3 point) {
+    const ShapeColor own = own_color(world, id, &point);
     const double* const k = world.material(material_row(world, id)) + k_color;
     return own.is_set() ? own.color() : Color{k[0], k[1], k[2]};
 }
@@ -96,9 +104,9 @@ inline bool colors_light(const WorldParts& world, SurfaceId id) {
 }
 
 /// The factor of light that passes a transparent surface: transmit + filter * color.
-inline Color shadow_factor(const WorldParts& world, SurfaceId id) {
+inline Color shadow_factor(const WorldParts& world, SurfaceId id, Vec3 point) {
     const double* const values = world.extended_row(material_row(world, id));
-    const Color color = surface_color(world, id);
+    const Color color = surface_color(world, id, point);
     const double filter = values[k_extended_value<&Material::filter>],
                  transmit = values[k_extended_value<&Material::transmit>];
     return {transmit + filter * color.r, transmit + filter * color.g, transmit + filter * color.b};

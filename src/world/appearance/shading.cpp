@@ -122,7 +122,8 @@ std::vector<double> find_color_factors(std::span<const double> materials) {
 std::vector<float> find_slot_colors(std::span<const ShapeColor> colors, const PackedGeometry& geometry,
                                     int threads) {
     std::vector<float> columns;
-    if (std::none_of(colors.begin(), colors.end(), [](const ShapeColor& c) { return c.is_set(); }))
+    if (!geometry.has_mesh_colors &&
+        std::none_of(colors.begin(), colors.end(), [](const ShapeColor& c) { return c.is_set(); }))
         return columns;
     resize_in_huge_pages(columns, 3 * (std::size_t{geometry.count} + k_ray_padding));
     parallel_chunks(geometry.count, threads, [&](std::size_t slot) {

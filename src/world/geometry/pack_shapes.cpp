@@ -25,7 +25,7 @@ class Packer {
     // meshes: those of the scene; null: they are packed as triangles.
     Packer(const Scene& scene, bool cones, const PackedMeshes* meshes, const PrepareOptions& options)
         : options_(options), primitives_(scene, meshes) {
-        if (meshes != nullptr) geometry_.meshes = *meshes;
+        if (meshes != nullptr) geometry_.set_meshes(*meshes);
         primitives_.add_all(cones);
         has_elements_ = has_elements(scene);
         geometry_.scene_shapes = static_cast<std::uint32_t>(scene.shapes.size());
@@ -209,6 +209,13 @@ bool pack_meshes(const Scene& scene, PackedMeshes& meshes, const PrepareOptions&
         if (meshes[index] == nullptr) return false;
     }
     return true;
+}
+
+void PackedGeometry::set_meshes(PackedMeshes packed) {
+    meshes = std::move(packed);
+    has_mesh_colors = std::any_of(meshes.begin(), meshes.end(), [](const auto& mesh) {
+        return mesh != nullptr && !mesh->data->colors.empty();
+    });
 }
 
 std::optional<PackedGeometry> pack_shapes(const Scene& scene, bool cones, const PrepareOptions& options) {

@@ -48,11 +48,14 @@ struct PackedGeometry {
     PackedMeshes meshes;                      // the shapes of the kind `mesh` refer to them
     std::vector<std::uint8_t> open;           // by slot: 1 if the shape encloses no space
     std::uint32_t scene_shapes = 0;           // the number of the scene's shapes
+    bool has_mesh_colors = false;             // one of `meshes` has colors
     bool has_cones = false;                   // the scene has cones, packed or omitted by the conventions
     std::shared_ptr<SharedEditIndex> shared_index;  // of this geometry and its copies
     std::shared_ptr<const EditIndex> edit_index;    // set by the first edit
     BvhCost cost;  // of the current hierarchy; kept up to date once there is an edit_index
 
+    /// Sets `meshes`.
+    void set_meshes(PackedMeshes packed);
     /// Whether a shape may have several elements.
     bool has_elements() const { return !element.empty(); }
     std::uint32_t element_of(std::uint32_t slot) const { return has_elements() ? element[slot] : 0; }

@@ -107,8 +107,7 @@ int Primitives::class_of(const Primitive& primitive) const {
     const Shape& s = scene_.shapes[primitive.shape];
     ShapeKind kind = s.kind;
     if (kind == ShapeKind::polygon) kind = ShapeKind::triangle;
-    if (is_triangle_of_mesh(s))
-        kind = mesh_of(s).is_smooth(primitive.element) ? ShapeKind::smooth_triangle : ShapeKind::triangle;
+    if (is_triangle_of_mesh(s)) kind = ShapeKind::triangle;  // its normals are found at its hits
     const int plain = 2 * static_cast<int>(kind);
     return plain + (s.transform != k_none && !class_traits()[static_cast<std::size_t>(plain)].bakes_transform
                         ? 1
@@ -144,12 +143,7 @@ template <class Visit> void Primitives::with_parameters(const Primitive& primiti
         const MeshData& mesh = mesh_of(shape);
         const auto& [a, b, c] = mesh.triangles[primitive.element];
         const Triangle flat{{mesh.position(a), mesh.position(b), mesh.position(c)}};
-        if (!mesh.is_smooth(primitive.element))
-            return visit_transformed(shape, flat, TriangleGeometry(), visit);
-        const SmoothTriangle smooth{
-            {flat.vertices[0], flat.vertices[1], flat.vertices[2]},
-            {to_vec3(mesh.normals[a]), to_vec3(mesh.normals[b]), to_vec3(mesh.normals[c])}};
-        return visit_transformed(shape, smooth, SmoothTriangleGeometry(), visit);
+        return visit_transformed(shape, flat, TriangleGeometry(), visit);
     }
     switch (shape.kind) {
 #define GLINT_KIND(Type, word)                                                                  \

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/geometry/mesh_colors.h"
+
+#include <array>
+#include <optional>
+
+#include "world/geometry/mesh_normals-inl.h"
+
+namespace glint {
+namespace {
+
+using namespace HWY_NAMESPACE;
+
+// Null if the shape has no mesh.
+const MeshData* mesh_of(const PackedGeometry& geometry, const ShapeClass& shapes, SurfaceId id) {
+    if (shapes.kind != ShapeKind::mesh) return nullptr;
+    const double mesh = shapes.value(MeshGeometry::k_mesh, id.slot);
+    return geometry.meshes[static_cast<std::size_t>(mesh)]->data.get();
+}
+
+}  // namespace
+
+ShapeColor mesh_color(const PackedGeometry& geometry, SurfaceId id, Vec3 point) {
+    const ShapeClass& shapes = geometry.class_of(id.slot);
+    const MeshData* const mesh = mesh_of(geometry, shapes, id);
+    if (mesh == nullptr) return {};
+    const auto colors = mesh->corner_values(mesh->colors, id.element);
+    if (!colors) return {};
+    const std::array<double, 3> weights = mesh_barycentrics(shapes, *mesh, id, {point.x, point.y, point.z});
+    Vec3 sum;
+    for (std::size_t i = 0; i < 3; ++i) sum = sum + to_vec3((*colors)[i]) * weights[i];
+    return {static_cast<float>(sum.x), static_cast<float>(sum.y), static_cast<float>(sum.z)};
+}
+
+ShapeColor brightest_mesh_color(const PackedGeometry& geometry, SurfaceId id) {
+    const MeshData* const mesh = mesh_of(geometry, geometry.class_of(id.slot), id);
+    if (mesh == nullptr) return {};
+    const auto colors = mesh->corner_values(mesh->colors, id.element);
+    if (!colors) return {};
+    ShapeColor most{0, 0, 0};
+    for (const Float3& c : *colors)
+        most = {number::max(most.r, c.x), number::max(most.g, c.y), number::max(most.b, c.z)};
+    return most;
+}
+
+}  // namespace glint
