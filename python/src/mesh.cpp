@@ -45,8 +45,8 @@ void set_values(CornerValues& to, const py::object& rows, const char* name, std:
     if (rows.is_none()) return;
     to.values = items_of<float, Float3>(to_rows<float>(rows, name));
     if (to.values.size() != vertices) {
-        throw py::value_error(fmt::format("{}: expected {}, one for each vertex, found {}", name, vertices,
-                                          to.values.size()));
+        throw py::value_error(
+            fmt::format("{}: expected {}, one for each vertex, found {}", name, vertices, to.values.size()));
     }
 }
 
@@ -126,7 +126,8 @@ bool MeshBox::same(const ShapeBox& other) const {
 void bind_mesh(py::module_& m) {
     py::class_<MeshBox, ShapeBox, std::shared_ptr<MeshBox>>(
         m, "Mesh",
-        "Mesh(vertices, triangles, normals=None, colors=None): triangles with common vertices. The data does not change; "
+        "Mesh(vertices, triangles, normals=None, colors=None): triangles with common vertices. The data does "
+        "not change; "
         "copies of a mesh share it.")
         .def(py::init([](const py::object& vertices, const py::object& triangles, const py::object& normals,
                          const py::object& colors, const py::kwargs& keywords) {
@@ -154,15 +155,14 @@ void bind_mesh(py::module_& m) {
             "Numbers of vertices, as an N x 3 array; counter-clockwise around the normal")
         .def_property_readonly(
             "normals",
-            [](const MeshBox& mesh) -> py::object {
-                return values_of(mesh.data->normals, mesh.data);
-            },
+            [](const MeshBox& mesh) -> py::object { return values_of(mesh.data->normals, mesh.data); },
             "Of any length, as an N x 3 array of float32, one for each vertex unless the mesh is from a file "
             "that numbers them otherwise; None: the triangles are flat")
         .def_property_readonly(
             "colors",
             [](const MeshBox& mesh) -> py::object { return values_of(mesh.data->colors, mesh.data); },
-            "Linear colors, as an N x 3 array of float32, which are interpolated and replace the color of the "
+            "Linear colors, as an N x 3 array of float32, which are interpolated and replace the color of "
+            "the "
             "shape; one for each vertex, as the normals; None: the triangles have the shape's color");
 }
 

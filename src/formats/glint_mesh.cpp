@@ -32,12 +32,18 @@ bool MeshText::read_key(int field, const Token& key) {
     has_lists_ = true;
     (void)key;
     switch (field) {
-        case 1: return read_points(mesh_.positions);
-        case 2: return read_corners(mesh_.triangles, false);
-        case 3: return read_values(mesh_.normals.values);
-        case 4: return read_corners(mesh_.normals.corners, true);
-        case 5: return read_values(mesh_.colors.values);
-        default: return read_corners(mesh_.colors.corners, true);
+        case 1:
+            return read_points(mesh_.positions);
+        case 2:
+            return read_corners(mesh_.triangles, false);
+        case 3:
+            return read_values(mesh_.normals.values);
+        case 4:
+            return read_corners(mesh_.normals.corners, true);
+        case 5:
+            return read_values(mesh_.colors.values);
+        default:
+            return read_corners(mesh_.colors.corners, true);
     }
 }
 

@@ -38,6 +38,8 @@ std::string mistake_in(const CornerValues& of, const MeshData& mesh, std::string
 
 std::string mistake_in(const MeshData& mesh) {
     const std::size_t vertices = mesh.vertex_count();
+    constexpr std::size_t most = 1u << 29;
+    if (vertices > most) return fmt::format("expected at most {} vertices, found {}", most, vertices);
     if (mesh.triangles.empty()) return "expected at least one triangle, found none";
     if (!mesh.positions.empty() && !mesh.single_positions.empty())
         return "expected positions in one precision, found both";

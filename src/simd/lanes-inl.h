@@ -193,6 +193,19 @@ HWY_INLINE Doubles gather(const double* base, const GatherIndices& places) {
     return Doubles(hn::GatherIndex(Tag<double>(), base, places.v));
 }
 
+/// The same for floats, below 2^31.
+struct SingleGatherIndices {
+    using Single = hn::Rebind<float, Tag<double>>;
+    using D = hn::RebindToSigned<Single>;
+    hn::Vec<D> v;
+    HWY_INLINE SingleGatherIndices(const std::uint32_t* index, std::int32_t stride)
+        : v(hn::Mul(hn::BitCast(D(), hn::LoadU(IndexTag(), index)), hn::Set(D(), stride))) {}
+};
+HWY_INLINE Doubles gather(const float* base, const SingleGatherIndices& places) {
+    return Doubles(
+        hn::PromoteTo(Tag<double>(), hn::GatherIndex(SingleGatherIndices::Single(), base, places.v)));
+}
+
 /// An integer with the same order as the float, -0 before 0; f is not NaN.
 HWY_INLINE std::int32_t ordered_bits(float f) {
     const auto bits = std::bit_cast<std::int32_t>(f);

@@ -10,6 +10,7 @@
 #include "world/appearance/interiors.h"
 #include "world/appearance/shading.h"
 #include "world/geometry/edit_index.h"
+#include "world/geometry/pack_mesh.h"
 #include "world/geometry/pack_shapes.h"
 #include "world/geometry/primitive_bounds-inl.h"
 #include "world/world.h"
@@ -32,7 +33,7 @@ class ShapeEditor {
   public:
     ShapeEditor(World& world, const Scene& scene, std::span<const std::uint32_t> changed,
                 const PrepareOptions& options)
-        : world_(world), scene_(scene), changed_(changed), options_(options), primitives_(scene, &meshes_) {}
+        : world_(world), scene_(scene), changed_(changed), options_(options), primitives_(scene, meshes_) {}
 
     // Sets `edit` as soon as the edit is done, so that a later failure does not report it as not done.
     Status run(ShapeEdit& edit) {

@@ -7,9 +7,8 @@
 #include "base/huge_pages.h"
 #include "base/parallel_chunks.h"
 #include "bvh/rays.h"
-#include "math/extent.h"
 #include "world/geometry/edit_index.h"
-#include "world/geometry/packed_mesh.h"
+#include "world/geometry/pack_mesh.h"
 
 namespace glint {
 namespace {
@@ -22,10 +21,9 @@ constexpr std::array<LeafCost, k_primitive_classes> k_leaf_costs{};
 // Packs the primitives of a scene.
 class Packer {
   public:
-    // meshes: those of the scene; null: they are packed as triangles.
-    Packer(const Scene& scene, bool cones, const PackedMeshes* meshes, const PrepareOptions& options)
+    Packer(const Scene& scene, bool cones, const PackedMeshes& meshes, const PrepareOptions& options)
         : options_(options), primitives_(scene, meshes) {
-        if (meshes != nullptr) geometry_.set_meshes(*meshes);
+        geometry_.set_meshes(meshes);
         primitives_.add_all(cones);
         has_elements_ = has_elements(scene);
         geometry_.scene_shapes = static_cast<std::uint32_t>(scene.shapes.size());
@@ -174,54 +172,10 @@ class Packer {
 
 }  // namespace
 
-namespace {
-
-std::shared_ptr<const PackedMesh> pack_mesh(const std::shared_ptr<const MeshData>& data,
-                                            const PrepareOptions& options) {
-    Scene alone;
-    alone.meshes = {data};
-    alone.add(Mesh{0});
-    PrepareOptions silent = options;
-    silent.progress = {};
-    std::optional<PackedGeometry> geometry = Packer(alone, false, nullptr, silent).run();
-    if (!geometry) return nullptr;
-    Extent box;
-    for (const auto& triangle : data->triangles) {
-        for (const std::uint32_t vertex : triangle) box.add(data->position(vertex));
-    }
-    return std::make_shared<const PackedMesh>(PackedMesh{data, std::move(*geometry), box.lo, box.hi});
-}
-
-}  // namespace
-
-bool pack_meshes(const Scene& scene, PackedMeshes& meshes, const PrepareOptions& options) {
-    PackedMeshes known = std::move(meshes);
-    meshes.assign(scene.meshes.size(), nullptr);
-    for (const Shape& shape : scene.shapes) {
-        if (shape.kind != ShapeKind::mesh) continue;
-        const std::uint32_t index = scene.get<Mesh>()[shape.index].mesh;
-        if (meshes[index] != nullptr) continue;
-        const std::shared_ptr<const MeshData>& data = scene.meshes[index];
-        const auto same = std::find_if(known.begin(), known.end(), [&](const auto& mesh) {
-            return mesh != nullptr && mesh->data == data;
-        });
-        meshes[index] = same != known.end() ? *same : pack_mesh(data, options);
-        if (meshes[index] == nullptr) return false;
-    }
-    return true;
-}
-
-void PackedGeometry::set_meshes(PackedMeshes packed) {
-    meshes = std::move(packed);
-    has_mesh_colors = std::any_of(meshes.begin(), meshes.end(), [](const auto& mesh) {
-        return mesh != nullptr && !mesh->data->colors.empty();
-    });
-}
-
 std::optional<PackedGeometry> pack_shapes(const Scene& scene, bool cones, const PrepareOptions& options) {
     PackedMeshes meshes;
     if (!scene.meshes.empty() && !pack_meshes(scene, meshes, options)) return std::nullopt;
-    return Packer(scene, cones, &meshes, options).run();
+    return Packer(scene, cones, meshes, options).run();
 }
 
 void write_primitive(const Primitives& primitives, const Primitive& primitive, const Aabb& box,

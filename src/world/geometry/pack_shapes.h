@@ -14,10 +14,6 @@ namespace glint {
 /// std::bad_alloc.
 std::optional<PackedGeometry> pack_shapes(const Scene& scene, bool cones, const PrepareOptions& options);
 
-/// Packs the meshes that shapes of the scene have. Those that `meshes` has already are kept. False if
-/// cancelled.
-bool pack_meshes(const Scene& scene, PackedMeshes& meshes, const PrepareOptions& options);
-
 /// Writes all values of a primitive to a slot of its class. box: used if the class stores it.
 void write_primitive(const Primitives& primitives, const Primitive& primitive, const Aabb& box,
                      std::uint32_t slot, ShapeClass& shapes, PackedGeometry& geometry);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bvh/refit.h"
+#include "glint/mesh.h"
 #include "glint/shapes.h"
 #include "glint/vec.h"
 #include "world/geometry/surface_id.h"
@@ -29,11 +30,15 @@ struct ShapeClass {
     std::uint32_t count = 0;
     std::uint32_t stride = 0;  // count plus a vector of padding
     std::vector<double> values;
+    // Triangles of a mesh: their corners' numbers in it, by slot, instead of `values`.
+    const MeshData* mesh = nullptr;
+    std::vector<std::uint32_t> corner[3];
     const double* column(int k) const { return values.data() + static_cast<std::size_t>(k) * stride; }
     double value(int k, std::uint32_t slot) const { return column(k)[slot - first]; }
 };
 
-/// Slots are the positions of packed shapes; each triangle of a polygon has a slot of its own. The bounded
+/// Slots are the positions of packed shapes; each triangle of a polygon or of a mesh by itself has a slot of
+/// its own. The bounded
 /// ones are in the hierarchy's leaf order within their class; the unbounded ones follow. All arrays by slot
 /// are padded by vector.
 struct PackedGeometry {

@@ -69,22 +69,12 @@ const AllClassTraits& class_traits() {
 
 bool has_elements(const Scene& scene) { return !scene.get<Polygon>().empty() || !scene.get<Mesh>().empty(); }
 
-const MeshData& Primitives::mesh_of(const Shape& shape) const {
-    return *scene_.meshes[scene_.get<Mesh>()[shape.index].mesh];
-}
-
-bool Primitives::is_triangle_of_mesh(const Shape& shape) const {
-    return shape.kind == ShapeKind::mesh && meshes_ == nullptr;
+const PackedMesh& Primitives::mesh_of(const Shape& shape) const {
+    return *meshes_[scene_.get<Mesh>()[shape.index].mesh];
 }
 
 void Primitives::add(std::uint32_t index) {
     const Shape& shape = scene_.shapes[index];
-    if (is_triangle_of_mesh(shape)) {
-        const auto count = static_cast<std::uint32_t>(mesh_of(shape).triangles.size());
-        for (std::uint32_t triangle = 0; triangle < count; ++triangle)
-            list_.push_back({index, k_none, triangle});
-        return;
-    }
     if (shape.kind != ShapeKind::polygon) {
         list_.push_back({index, k_none, 0});
         return;
@@ -107,7 +97,6 @@ int Primitives::class_of(const Primitive& primitive) const {
     const Shape& s = scene_.shapes[primitive.shape];
     ShapeKind kind = s.kind;
     if (kind == ShapeKind::polygon) kind = ShapeKind::triangle;
-    if (is_triangle_of_mesh(s)) kind = ShapeKind::triangle;  // its normals are found at its hits
     const int plain = 2 * static_cast<int>(kind);
     return plain + (s.transform != k_none && !class_traits()[static_cast<std::size_t>(plain)].bakes_transform
                         ? 1
@@ -139,12 +128,6 @@ template <class Visit> void Primitives::with_parameters(const Primitive& primiti
     const Shape& shape = scene_.shapes[primitive.shape];
     if (primitive.triangle != k_none)
         return visit_transformed(shape, triangles_[primitive.triangle], TriangleGeometry(), visit);
-    if (is_triangle_of_mesh(shape)) {
-        const MeshData& mesh = mesh_of(shape);
-        const auto& [a, b, c] = mesh.triangles[primitive.element];
-        const Triangle flat{{mesh.position(a), mesh.position(b), mesh.position(c)}};
-        return visit_transformed(shape, flat, TriangleGeometry(), visit);
-    }
     switch (shape.kind) {
 #define GLINT_KIND(Type, word)                                                                  \
     case ShapeKind::word:                                                                       \
@@ -175,7 +158,7 @@ void Primitives::prefetch_parameters(std::uint32_t index) const {
 // Padded for the rounding errors of mapped rays, beside those of every box.
 Aabb Primitives::box_of_mesh(const Shape& shape) const {
     constexpr double k_map_error = 0x1p-40;
-    const PackedMesh& mesh = *(*meshes_)[scene_.get<Mesh>()[shape.index].mesh];
+    const PackedMesh& mesh = mesh_of(shape);
     const Affine map = shape.transform == k_none ? Affine{} : scene_.transforms[shape.transform];
     const Extent box = mapped_box(map, mesh.lo, mesh.hi);
     const double pad = map_magnitude(map, mesh.lo, mesh.hi) * k_map_error;
@@ -183,22 +166,20 @@ Aabb Primitives::box_of_mesh(const Shape& shape) const {
 }
 
 int Primitives::pack_mesh(const Shape& shape, double* values) const {
-    const std::uint32_t index = scene_.get<Mesh>()[shape.index].mesh;
-    const PackedMesh& mesh = *(*meshes_)[index];
+    const PackedMesh& mesh = mesh_of(shape);
     const Affine map = shape.transform == k_none ? Affine{} : scene_.transforms[shape.transform];
     const Affine object_from_world = shape.transform == k_none ? map : inverse(map).value_or(Affine{});
     int n = 0;
     for (const auto& row : object_from_world.m) {
         for (const double value : row) values[n++] = value;
     }
-    values[MeshGeometry::k_mesh] = index;
+    values[MeshGeometry::k_mesh] = scene_.get<Mesh>()[shape.index].mesh;
     values[MeshGeometry::k_magnitude] = map_magnitude(map, mesh.lo, mesh.hi);
     return MeshGeometry::k_values;
 }
 
 Aabb Primitives::box_of(const Primitive& primitive) const {
-    if (const Shape& shape = scene_.shapes[primitive.shape];
-        shape.kind == ShapeKind::mesh && meshes_ != nullptr) {
+    if (const Shape& shape = scene_.shapes[primitive.shape]; shape.kind == ShapeKind::mesh) {
         return box_of_mesh(shape);
     }
     Vec3 lo, hi;
@@ -220,8 +201,7 @@ bool Primitives::is_open(const Primitive& primitive) const {
 }
 
 int Primitives::pack(const Primitive& primitive, double* values) const {
-    if (const Shape& shape = scene_.shapes[primitive.shape];
-        shape.kind == ShapeKind::mesh && meshes_ != nullptr) {
+    if (const Shape& shape = scene_.shapes[primitive.shape]; shape.kind == ShapeKind::mesh) {
         return pack_mesh(shape, values);
     }
     int n = 0;
@@ -242,7 +222,8 @@ int Primitives::pack(const Primitive& primitive, double* values) const {
 bool is_closed(const Scene& scene, std::uint32_t shape) {
     const ShapeKind kind = scene.shapes[shape].kind;
     if (kind == ShapeKind::polygon || kind == ShapeKind::mesh) return false;
-    return !Primitives(scene, nullptr).is_open({shape, k_none, 0});
+    const PackedMeshes none;
+    return !Primitives(scene, none).is_open({shape, k_none, 0});
 }
 
 }  // namespace glint

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The primitives of a scene's shapes: one per shape, or one per triangle of a polygon; of a mesh by itself,
-// one per triangle.
+// The primitives of a scene's shapes: one per shape, or one per triangle of a polygon.
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -20,7 +19,7 @@ inline constexpr int k_primitive_classes = 2 * k_shape_kinds;
 struct Primitive {
     std::uint32_t shape = 0;          // the index in Scene::shapes
     std::uint32_t triangle = k_none;  // for a polygon: the index in Primitives::triangles
-    std::uint32_t element = 0;        // SurfaceId::element: the number of the polygon's or mesh's triangle
+    std::uint32_t element = 0;        // SurfaceId::element: the number of the polygon's triangle
 };
 
 /// Whether a shape of the scene has several elements.
@@ -39,8 +38,8 @@ const AllClassTraits& class_traits();
 /// Packs the shapes of a valid scene one by one.
 class Primitives {
   public:
-    /// meshes: for the boxes of shapes that have a mesh; null: meshes are packed as triangles.
-    Primitives(const Scene& scene, const PackedMeshes* meshes) : scene_(scene), meshes_(meshes) {}
+    /// meshes: those of the scene, packed.
+    Primitives(const Scene& scene, const PackedMeshes& meshes) : scene_(scene), meshes_(meshes) {}
 
     /// Appends the primitives of a shape. Triangulates polygons.
     void add(std::uint32_t shape);
@@ -73,14 +72,12 @@ class Primitives {
     void visit_transformed(const Shape& shape, const Parameters& parameters, Geometry geometry,
                            Visit&& visit) const;
     template <class Visit> void with_parameters(const Primitive& primitive, Visit&& visit) const;
-    const MeshData& mesh_of(const Shape& shape) const;
-
-    bool is_triangle_of_mesh(const Shape& shape) const;
+    const PackedMesh& mesh_of(const Shape& shape) const;
     Aabb box_of_mesh(const Shape& shape) const;
     int pack_mesh(const Shape& shape, double* values) const;
 
     const Scene& scene_;
-    const PackedMeshes* meshes_;
+    const PackedMeshes& meshes_;
     std::vector<Primitive> list_;
     std::vector<Triangle> triangles_;
 };

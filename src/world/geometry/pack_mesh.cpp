@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/geometry/pack_mesh.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/huge_pages.h"
+#include "base/parallel_chunks.h"
+#include "bvh/rays.h"
+#include "geometry/kinds-inl.h"
+#include "math/extent.h"
+#include "world/geometry/packed_mesh.h"
+
+namespace glint {
+namespace {
+
+using Triangles = HWY_NAMESPACE::TriangleGeometry;
+
+// Leaves of up to 8 triangles, as those of shapes (pack_shapes.cpp).
+constexpr std::array<LeafCost, 1> k_mesh_leaf_costs{};
+
+Triangle triangle_of(const MeshData& mesh, std::size_t i) {
+    const auto& [a, b, c] = mesh.triangles[i];
+    return {{mesh.position(a), mesh.position(b), mesh.position(c)}};
+}
+
+// Slots are in leaf order. Nothing but the corners and numbers of the triangles is stored by slot.
+std::shared_ptr<const PackedMesh> pack_mesh(const std::shared_ptr<const MeshData>& data,
+                                            const PrepareOptions& options) {
+    auto packed = std::make_shared<PackedMesh>();
+    packed->data = data;
+    const MeshData& mesh = *data;
+    const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
+    const auto for_all = [&](const auto& body) { parallel_chunks(count, options.threads, body); };
+    std::vector<BvhItem> leaves;
+    resize_in_huge_pages(leaves, count);
+    for_all([&](std::size_t i) {
+        Vec3 lo, hi;
+        Triangles::bounds(triangle_of(mesh, i), lo, hi);
+        const Aabb box = padded_box(lo, hi);
+        BvhItem& leaf = leaves[i];
+        for (int a = 0; a < 3; ++a) leaf.lo[a] = box.lo[a], leaf.hi[a] = box.hi[a];
+        leaf.item = static_cast<std::uint32_t>(i);
+        leaf.item_class = 0;
+    });
+    PackedGeometry& geometry = packed->geometry;
+    geometry.bvh = build_bvh(leaves, k_mesh_leaf_costs, options.threads, options.cancel);
+    if (options.cancel.is_set()) return nullptr;
+    geometry.bounded = geometry.count = count;
+    ShapeClass triangles;
+    triangles.kind = ShapeKind::triangle;
+    triangles.count = count;
+    triangles.mesh = data.get();
+    const std::size_t padded = std::size_t{count} + k_ray_padding;
+    for (auto& column : triangles.corner) resize_in_huge_pages(column, padded);
+    resize_in_huge_pages(geometry.element, padded);
+    for_all([&](std::size_t slot) {
+        const std::uint32_t i = leaves[slot].item;
+        geometry.element[slot] = i;
+        for (std::size_t k = 0; k < 3; ++k) triangles.corner[k][slot] = mesh.triangles[i][k];
+    });
+    geometry.classes.push_back(std::move(triangles));
+    Extent box;
+    for (const TriangleCorners& corners : mesh.triangles) {
+        for (const std::uint32_t vertex : corners) box.add(mesh.position(vertex));
+    }
+    packed->lo = box.lo, packed->hi = box.hi;
+    return packed;
+}
+
+}  // namespace
+
+bool pack_meshes(const Scene& scene, PackedMeshes& meshes, const PrepareOptions& options) {
+    const PackedMeshes known = std::move(meshes);
+    meshes.assign(scene.meshes.size(), nullptr);
+    for (const Shape& shape : scene.shapes) {
+        if (shape.kind != ShapeKind::mesh) continue;
+        const std::uint32_t index = scene.get<Mesh>()[shape.index].mesh;
+        if (meshes[index] != nullptr) continue;
+        const std::shared_ptr<const MeshData>& data = scene.meshes[index];
+        const auto same = std::find_if(known.begin(), known.end(), [&](const auto& mesh) {
+            return mesh != nullptr && mesh->data == data;
+        });
+        meshes[index] = same != known.end() ? *same : pack_mesh(data, options);
+        if (meshes[index] == nullptr) return false;
+    }
+    return true;
+}
+
+void PackedGeometry::set_meshes(PackedMeshes packed) {
+    meshes = std::move(packed);
+    has_mesh_colors = std::any_of(meshes.begin(), meshes.end(), [](const auto& mesh) {
+        return mesh != nullptr && !mesh->data->colors.empty();
+    });
+}
+
+}  // namespace glint
