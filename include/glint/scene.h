@@ -333,6 +333,10 @@ struct Scene {
     std::vector<Affine> transforms;                       ///< world_from_object, invertible
     std::vector<Vec3> polygon_vertices;                   ///< referred to by Polygons
     std::vector<std::shared_ptr<const MeshData>> meshes;  ///< referred to by Meshes; shared by copies
+    /// By mesh: the index in `files` of the file that it was read from, which has no other mesh; k_no_file:
+    /// none. A shorter list: the other meshes are of no file.
+    std::vector<std::uint16_t> mesh_files;
+    static constexpr std::uint16_t k_no_file = 0xffff;
     std::vector<Shape> shapes;  ///< in scene order: of two shapes hit at the same t, the first counts
     /// By shape; a shorter list leaves the other shapes without a color of their own. A shape with one looks
     /// as if it had with_color(its material, its color), in 12 bytes instead of a material.

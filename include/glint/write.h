@@ -15,7 +15,16 @@ namespace glint {
 /// back as a scene that renders to the same bits. Numbers are the shortest that read back as the same double.
 /// texts: the texts that the scene was read from, included ones too, each under its name in Scene::files;
 /// their comments are kept with their items. An error if validate() finds one in the scene. Never throws.
-/// Time and memory are proportional to the scene and the texts.
-GLINT_API Result<std::string> write_glint(const Scene& scene, std::span<const SceneText> texts = {});
+/// Time and memory are proportional to the scene and the texts. mesh_files: by index in Scene::meshes, the
+/// name of a file that has the mesh, relative to that of the text, which is read from it; without a name, or
+/// past the end of the list, the mesh is written into the text.
+GLINT_API Result<std::string> write_glint(const Scene& scene, std::span<const SceneText> texts = {},
+                                          std::span<const std::string> mesh_files = {});
+
+/// The mesh as a binary .ply file (docs/formats/ply.md), little endian. load() reads it back with the same
+/// positions, normals and colors; vertices with several normals or colors become several. An error
+/// (invalid_argument) if the mesh has a mistake, or if only some triangles have colors: such a file cannot
+/// say so. Never throws.
+GLINT_API Result<std::string> write_ply(const MeshData& mesh);
 
 }  // namespace glint

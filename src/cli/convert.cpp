@@ -7,14 +7,18 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "cli/commands.h"
 #include "cli/failure.h"
+#include "cli/mesh_files.h"
 #include "cli/output_file.h"
 #include "cli/print_error.h"
 #include "cli/scene_arguments.h"
 #include "cli/text.h"
+#include "formats/mesh_file.h"
 
 namespace glint::cli {
 namespace {
@@ -81,7 +85,9 @@ int convert_command(ConvertArguments& arguments) {
     const Scene& scene = *loaded.scene;
     std::vector<SceneText> texts = loaded.texts;
     const std::vector<InputFile> included = open_included(loaded, texts);
-    const Result<std::string> written = write_glint(scene, texts);
+    const std::vector<std::string> mesh_files =
+        output.is_stream() ? mesh_file_names(scene) : write_mesh_files(scene, path);
+    const Result<std::string> written = write_glint(scene, texts, mesh_files);
     if (!written) throw_failure(written);
     const std::string& text = *written;
     output.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});

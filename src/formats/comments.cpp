@@ -232,7 +232,8 @@ std::vector<SceneComments::Source> SceneComments::find_sources(const Scene& scen
         }
         std::string why;
         const Format* format = find_format(*text, why);
-        if (format == nullptr) continue;
+        // The comments of a file of a mesh are about the file.
+        if (format == nullptr || format->finish == finish_mesh) continue;
         const Dialect dialect = dialect_of(format->info.name);
         if (may_have_comments(text->text, dialect)) sources.push_back({text->text, dialect, f});
     }

@@ -28,6 +28,8 @@ std::optional<std::uint32_t> mesh_of_text(LoadState& reading, const ReadText& te
     if (!mesh) return std::nullopt;
     const auto index = static_cast<std::uint32_t>(reading.scene.meshes.size());
     reading.scene.meshes.push_back(std::move(mesh));
+    reading.scene.mesh_files.resize(index, Scene::k_no_file);
+    reading.scene.mesh_files.push_back(text.file);
     reading.meshes.emplace(text.file, index);
     return index;
 }
@@ -95,6 +97,14 @@ void finish_mesh(LoadState& reading) {
     };
     scene.lights = {ambient, directional(k_to_light, k_main_light, true),
                     directional(k_to_eye, k_eye_light, false)};
+}
+
+std::vector<std::string> mesh_file_names(const Scene& scene) {
+    std::vector<std::string> names(scene.meshes.size());
+    for (std::size_t i = 0; i < names.size() && i < scene.mesh_files.size(); ++i) {
+        if (scene.mesh_files[i] != Scene::k_no_file) names[i] = scene.files[scene.mesh_files[i]];
+    }
+    return names;
 }
 
 }  // namespace glint

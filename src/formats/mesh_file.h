@@ -21,4 +21,7 @@ void read_mesh_text(LoadState& reading, const ReadText& text);
 std::optional<std::uint32_t> mesh_of_file(LoadState& reading, const ReadText& from, const Token& at,
                                           const std::string& name);
 
+/// By mesh: the name in Scene::files of the file that it was read from; empty: none.
+std::vector<std::string> mesh_file_names(const Scene& scene);
+
 }  // namespace glint

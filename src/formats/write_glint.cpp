@@ -26,8 +26,13 @@ constexpr std::string_view k_origin = "Converted from ";
 
 class GlintWriter {
   public:
-    GlintWriter(const Scene& scene, std::span<const SceneText> texts)
-        : scene_(scene), texts_(texts), comments_(scene, texts), materials_(scene), block_(out_) {}
+    GlintWriter(const Scene& scene, std::span<const SceneText> texts, std::span<const std::string> mesh_files)
+        : scene_(scene),
+          texts_(texts),
+          mesh_files_(mesh_files),
+          comments_(scene, texts),
+          materials_(scene),
+          block_(out_) {}
 
     std::string run() {
         write_heading();
@@ -42,7 +47,7 @@ class GlintWriter {
         write_materials();
         if (!scene_.shapes.empty()) out_ += '\n';
         if (scene_.shapes.size() > k_readable) block_.keep_lines_whole();
-        write_shapes(block_, scene_, materials_, comments_);
+        write_shapes(block_, scene_, materials_, comments_, mesh_files_);
         if (!comments_.tail().empty()) out_ += '\n';
         block_.comments(comments_.tail());
         return std::move(out_);
@@ -213,6 +218,7 @@ class GlintWriter {
 
     const Scene& scene_;
     const std::span<const SceneText> texts_;
+    const std::span<const std::string> mesh_files_;
     const SceneComments comments_;
     const MaterialPlan materials_;
     std::string out_, head_;
@@ -221,11 +227,12 @@ class GlintWriter {
 
 }  // namespace
 
-Result<std::string> write_glint(const Scene& scene, std::span<const SceneText> texts) {
+Result<std::string> write_glint(const Scene& scene, std::span<const SceneText> texts,
+                                std::span<const std::string> mesh_files) {
     const auto body = [&]() -> Result<std::string> {
         std::vector<Diagnostic> diagnostics = validate(scene);
         if (has_errors(diagnostics)) return invalid_scene(std::move(diagnostics));
-        return GlintWriter(scene, texts).run();
+        return GlintWriter(scene, texts, mesh_files).run();
     };
     return result_of(body, " while writing the scene as text");
 }

@@ -35,8 +35,8 @@ struct FieldWriter {
 class ShapeWriter {
   public:
     ShapeWriter(BlockWriter& block, const Scene& scene, const MaterialPlan& materials,
-                const SceneComments& comments)
-        : block_(block), scene_(scene), materials_(materials), comments_(comments) {}
+                const SceneComments& comments, std::span<const std::string> mesh_files)
+        : block_(block), scene_(scene), materials_(materials), comments_(comments), mesh_files_(mesh_files) {}
 
     void run() {
         bool kinds[k_shape_kinds] = {};
@@ -148,6 +148,10 @@ class ShapeWriter {
     }
 
     void write_keys(const Mesh& m) {
+        if (m.mesh < mesh_files_.size() && !mesh_files_[m.mesh].empty()) {
+            append_quoted(block_.key("file"), mesh_files_[m.mesh]);
+            return;
+        }
         const MeshData& mesh = *scene_.meshes[m.mesh];
         write_list("vertices", mesh.vertex_count(),
                    [&](std::size_t i) { return mesh.position(static_cast<std::uint32_t>(i)); });
@@ -202,6 +206,7 @@ class ShapeWriter {
     const Scene& scene_;
     const MaterialPlan& materials_;
     const SceneComments& comments_;
+    const std::span<const std::string> mesh_files_;
     std::size_t word_width_ = 0;
     bool is_first_ = true;  // the next item of the list
 };
@@ -209,8 +214,8 @@ class ShapeWriter {
 }  // namespace
 
 void write_shapes(BlockWriter& block, const Scene& scene, const MaterialPlan& materials,
-                  const SceneComments& comments) {
-    ShapeWriter(block, scene, materials, comments).run();
+                  const SceneComments& comments, std::span<const std::string> mesh_files) {
+    ShapeWriter(block, scene, materials, comments, mesh_files).run();
 }
 
 }  // namespace glint

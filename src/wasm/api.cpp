@@ -226,9 +226,12 @@ const char* glint_explain(GlintScene* scene, std::int32_t x, std::int32_t y) {
 }
 
 const char* glint_convert(GlintScene* scene) {
-    scene->answer = scene->scene
-                        ? glint::write_glint(*scene->scene, scene->texts.read_by(*scene->scene)).value_or({})
-                        : "";
+    scene->answer = "";
+    if (scene->scene) {
+        const std::vector<std::string> meshes = glint::wasm::mesh_files(*scene->scene);
+        scene->answer =
+            glint::write_glint(*scene->scene, scene->texts.read_by(*scene->scene), meshes).value_or({});
+    }
     return scene->answer.c_str();
 }
 

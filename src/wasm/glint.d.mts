@@ -28,7 +28,9 @@ export interface SceneText {
     /** The name for messages; its extension chooses the format unless `format` is given. */
     name: string;
     text: string;
-    /** "cgfs", "epfl", "csc473", "povray", "nff", "tachyon" or "glint". */
+    /** The bytes of a file that is no text, instead of `text`. */
+    base64?: string;
+    /** "cgfs", "epfl", "csc473", "povray", "nff", "tachyon", "ply" or "glint". */
     format?: string;
 }
 

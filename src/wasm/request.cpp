@@ -2,12 +2,15 @@
 #include "wasm/request.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "formats/load_validated.h"
+#include "formats/mesh_file.h"
 #include "formats/povray/standard_includes.h"
 #include "formats/profile_file.h"
 
@@ -32,12 +35,41 @@ std::string string_member(const json& object, const char* name) {
 /// A setting's value as the text that set_setting() takes.
 std::string text_of(const json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
 
+/// The bytes of a file that is no text; other characters than those of base64 are skipped.
+std::string bytes_of_base64(std::string_view text) {
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::array<std::int8_t, 256> value;
+    value.fill(-1);
+    for (std::size_t i = 0; i < digits.size(); ++i)
+        value[static_cast<unsigned char>(digits[i])] = static_cast<std::int8_t>(i);
+    std::string bytes;
+    bytes.reserve(text.size() / 4 * 3);
+    std::uint32_t held = 0;
+    int bits = 0;
+    for (const char c : text) {
+        const int digit = value[static_cast<unsigned char>(c)];
+        if (digit < 0) continue;
+        held = held << 6 | static_cast<std::uint32_t>(digit);
+        bits += 6;
+        if (bits < 8) continue;
+        bits -= 8;
+        bytes += static_cast<char>(held >> bits & 255);
+    }
+    return bytes;
+}
+
+OwnedText owned_text(const json& text) {
+    const json& base64 = member(text, "base64");
+    return {string_member(text, "name"),
+            base64.is_string() ? bytes_of_base64(base64.get_ref<const std::string&>())
+                               : string_member(text, "text"),
+            string_member(text, "format")};
+}
+
 std::vector<OwnedText> owned_texts(const json& list) {
     std::vector<OwnedText> owned;
     if (!list.is_array()) return owned;
-    for (const json& text : list)
-        owned.push_back(
-            {string_member(text, "name"), string_member(text, "text"), string_member(text, "format")});
+    for (const json& text : list) owned.push_back(owned_text(text));
     return owned;
 }
 
@@ -93,6 +125,16 @@ std::vector<SceneText> RequestTexts::read_by(const Scene& scene) const {
 
 RequestTexts read_texts(const json& request) {
     return {owned_texts(member(request, "texts")), owned_texts(member(request, "includes"))};
+}
+
+std::vector<std::string> mesh_files(const Scene& scene) {
+    std::vector<std::string> names = mesh_file_names(scene);
+    const std::string_view main = scene.files.empty() ? std::string_view() : scene.files.front();
+    const std::string_view folder = main.substr(0, main.rfind('/') + 1);
+    for (std::string& name : names) {
+        if (name.starts_with(folder)) name.erase(0, folder.size());
+    }
+    return names;
 }
 
 Result<ValidatedScene> load(const RequestTexts& texts, const json& request,

@@ -26,6 +26,9 @@ struct RequestTexts {
 };
 RequestTexts read_texts(const nlohmann::json& request);
 
+/// By mesh of the scene: the name of its file, relative to the folder of the first text; empty: none.
+std::vector<std::string> mesh_files(const Scene& scene);
+
 /// Reads the scene that a request of glint_open names. `missing`: the included texts that it does not have.
 Result<ValidatedScene> load(const RequestTexts& texts, const nlohmann::json& request,
                             std::vector<std::string>& missing);

@@ -12,6 +12,10 @@ export function openIncluded(name: string | undefined, line: number) {
         notice.value = `That is line ${line} of ${name}, a text of glint’s own.`;
         return;
     }
+    if (includes.value.find((one) => one.name === name)?.base64) {
+        notice.value = `${name} is no text.`;
+        return;
+    }
     if (matchMedia('(max-width: 1011px)').matches) tab.value = 'text';
     opened.value = {name: name!, line};
 }

@@ -54,7 +54,7 @@ interface Elsewhere {large: string}
 const isElsewhere = (value: object): value is Elsewhere => 'large' in value;
 
 /** About the characters that a scene takes in storage. */
-const sizeOf = (scene: StoredScene) => scene.text.length + (scene.includes ?? []).reduce((sum, one) => sum + one.text.length, 0);
+const sizeOf = (scene: StoredScene) => scene.text.length + (scene.includes ?? []).reduce((sum, one) => sum + one.text.length + (one.base64?.length ?? 0), 0);
 
 const pageKey = 'glint.page', recentKey = 'glint.recent';
 

@@ -4,12 +4,13 @@ import {computed, effect, signal} from '@preact/signals';
 import type {SceneText} from 'glint-wasm';
 
 import {type GivenFile, prepareArchives, withoutArchives} from '../given_files';
+import {isMeshName, meshExtensions, readFile} from '../mesh_file';
 import {isPictureName} from '../picture_file';
 import {extensions, formatOf} from '../text/formats';
 import {namesIncludedBy, rootsOf, textsFor} from '../text/includes';
 import {keepForBack, setAddress} from './address';
 import {openPicture} from './own';
-import {openScene, shortName} from './scene';
+import {openScene, sceneOfMesh, shortName} from './scene';
 import {currentDocumentState, documentId, fileName, includes, missing, notice, services, text} from './state';
 
 /** The texts that were given with the present scene. */
@@ -41,16 +42,32 @@ export async function openFiles(given: readonly GivenFile[]) {
 
 /** Supplies the texts that the present scene lacks, if they are among these; else opens the first scene, with those that it includes. */
 async function openTexts(files: readonly GivenFile[], given: readonly GivenFile[]) {
-    const texts = await Promise.all(files.map(async ({path, file}) => ({name: path, text: await file.text()})));
+    const texts = await Promise.all(files.map(({path, file}) => readFile(path, file)));
     if (supply(textsFor(missing.value, fileName.value, texts))) return;
     const scenes = texts.filter(({name}) => formatOf(name)), [main, ...others] = rootsOf(scenes);
+    const mesh = texts.find(({name}) => isMeshName(name));
+    if (!main && mesh) {
+        await openMesh(mesh, texts);
+        return;
+    }
     if (!main) {
-        notice.value = `Not a scene: ${given.map(({file}) => shortName(file.name)).join(', ')}. Scenes end in .${extensions.join(', .')}.`;
+        notice.value = `Not a scene: ${given.map(({file}) => shortName(file.name)).join(', ')}. Scenes end in .${[...extensions, ...meshExtensions].join(', .')}.`;
         return;
     }
     folder.value = texts;
     openFromFolder(main);
     if (others.length > 0 && notice.value === '') notice.value = `${shortName(main.name)} is opened, one of ${others.length + 1} scenes here; the menu above the text has the others.`;
+}
+
+/** Opens a mesh as a scene that has it, with the camera and the lights that glint gives a mesh by itself. */
+async function openMesh(mesh: SceneText, texts: readonly SceneText[]) {
+    const scene = await sceneOfMesh({texts: [mesh], includes: texts.filter((one) => one !== mesh)});
+    if ('error' in scene) {
+        notice.value = `${shortName(mesh.name)} is not opened: ${scene.error}`;
+        return;
+    }
+    folder.value = [...texts];
+    openFromFolder({name: mesh.name.replace(/\.\w+$/, '') + '.glint', text: scene.text});
 }
 
 function openFromFolder(file: SceneText) {

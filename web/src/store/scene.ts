@@ -196,6 +196,19 @@ export async function link(challenge?: SharedChallenge): Promise<string> {
 
 let conversions = 0;
 
+/** A mesh by itself in glint's own language, which refers to its file; or what is wrong with it. */
+export async function sceneOfMesh(request: OpenRequest): Promise<{text: string} | {error: string}> {
+    const job = {view: 'converted', key: ++conversions, request, prepare: {}};
+    try {
+        const {report} = await page.pool!.run({...job, task: {what: 'open'}}, true);
+        const error = report.diagnostics.find(({severity}) => severity === 'error');
+        if (error) return {error: error.message};
+        return {text: await page.pool!.run({...job, task: {what: 'convert'}}, true)};
+    } catch (error) {
+        return {error: error instanceof Error ? error.message : String(error)};
+    }
+}
+
 /** Replaces the text by glint's own language, which can express everything. */
 export async function convertToGlint() {
     if (!page.pool) return;

@@ -37,7 +37,8 @@ export function fileFor(name: string, files: readonly SceneText[]): SceneText | 
  */
 export function namesIncludedBy({name, text}: SceneText, main = name): string[] {
     const folder = folderOf(/\.(pov|inc)$/i.test(name) ? main : name);
-    return [...text.matchAll(/(?:^|[\s#])include\s+"([^"\n]+)"/g)].map(([, said]) => (said!.startsWith('/') ? said! : folder + said!));
+    const words = /\.glint$/i.test(name) ? /(?:^|[\s{])(?:include\s+|file\s*=\s*)"([^"\n]+)"/g : /(?:^|[\s#])include\s+"([^"\n]+)"/g;
+    return [...text.matchAll(words)].map(([, said]) => (said!.startsWith('/') ? said! : folder + said!));
 }
 
 /** The texts that some names of a scene stand for, and all that these include, as far as they are among the files. */
@@ -48,7 +49,7 @@ export function textsFor(names: readonly string[], main: string, files: readonly
         if (found.has(name)) continue;
         const file = fileFor(name, files);
         if (!file) continue;
-        const text = {name, text: file.text};
+        const text = {...file, name};
         found.set(name, text);
         waiting.push(...namesIncludedBy(text, main));
     }
