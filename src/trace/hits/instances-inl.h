@@ -10,9 +10,7 @@
 #define GLINT_TRACE_INSTANCES_INL_H_
 #endif
 
-#include "bvh/traverse-inl.h"
-#include "bvh/traverse_any-inl.h"
-#include "trace/hits/hit_rule-inl.h"
+#include "trace/hits/trace_chunk-inl.h"
 #include "world/geometry/packed_mesh.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -79,32 +77,6 @@ struct MappedRays {
     }
 };
 
-/// Traces mapped rays through a mesh. any: determines which are occluded.
-template <bool any>
-HWY_INLINE void trace_mesh(const WorldParts& world, const PackedGeometry& mesh, std::uint32_t instance,
-                           MappedRays& mapped) {
-    SlabRays slab_rays;
-    const RaySpan span = mapped.span();
-    prepare_rays(span, mapped.count, slab_rays);
-    std::uint32_t occluder = k_none;
-    const HitResult result{world, slab_rays, mapped.hits(), any ? mapped.occluded : nullptr, &occluder};
-    ShearedRays sheared_rays(span);
-    QuickRays quick_rays(span, mapped.count, false);
-    ShapeTests tests{mesh, span, slab_rays, result, sheared_rays, quick_rays, instance};
-    if (mapped.count < k_min_packet_size && !any) {
-        for (int i = 0; i < mapped.count; ++i) {
-            if (slab_rays.t_max[i] >= slab_rays.t_min[i])
-                traverse_ray(mesh.bvh, slab_rays, i, BvhChild::node(0), tests);
-        }
-        return;
-    }
-    RayPacket packet(slab_rays, 0, mapped.count);
-    if constexpr (any)
-        traverse_any(mesh.bvh, packet, tests);
-    else
-        traverse_packet(mesh.bvh, packet, tests);
-}
-
 void ShapeTests::instances_leaf(const ShapeClass& shapes, const RayPacket& packet, std::uint64_t active,
                                 std::uint32_t first, std::uint32_t count) {
     for (std::uint32_t shape = first; shape < first + count; ++shape) {
@@ -121,12 +93,14 @@ void ShapeTests::instances_leaf(const ShapeClass& shapes, const RayPacket& packe
         mapped.map(packet, met, rays, result.nearest.t, lo, hi, p);
         if (mapped.count == 0) continue;
         if (result.occluded != nullptr) {
-            trace_mesh<true>(result.world, mesh, shape, mapped);
+            trace_chunk<true>(result.world, mesh, shape, mapped.span(), mapped.count, k_packet_size,
+                              mapped.hits(), mapped.occluded, false);
             for (int k = 0; k < mapped.count; ++k) {
                 if (mapped.occluded[k] != 0) result.occlude(mapped.ray[k], {shape, 0});
             }
         } else {
-            trace_mesh<false>(result.world, mesh, shape, mapped);
+            trace_chunk<false>(result.world, mesh, shape, mapped.span(), mapped.count, k_packet_size,
+                               mapped.hits(), nullptr, false);
             for (int k = 0; k < mapped.count; ++k) {
                 if (mapped.slot[k] != k_none)
                     result.accept(mapped.ray[k], mapped.t[k], {shape, mapped.element[k]});

@@ -18,7 +18,7 @@ namespace HWY_NAMESPACE {
 inline constexpr int k_triangle_values = 9;
 
 /// The vertices of triangles in slots [slot, slot + lanes) of a mesh, by lane.
-HWY_INLINE void load_corners(const ShapeClass& shapes, std::uint32_t slot, Doubles* p) {
+inline HWY_NOINLINE void load_corners(const ShapeClass& shapes, std::uint32_t slot, Doubles* p) {
     const MeshData& mesh = *shapes.mesh;
     for (int k = 0; k < 3; ++k) {
         const std::uint32_t* const corners = shapes.corner[k].data() + slot;
