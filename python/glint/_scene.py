@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _accept, _glint
-from ._glint import BackgroundGradient, Camera, Fog, Light, Material, Occlusion, Shape
+from ._glint import BackgroundGradient, Camera, Fog, Light, Material, Mesh, Occlusion, Shape
 from ._image import Image
 from ._lists import Lights, Materials, Shapes
 from ._progress import Progress, reporting
@@ -249,6 +249,33 @@ class Scene:
         """
         colors = _accept.to_colors(colors, colormap)
         return self._state.add_triangles(vertices, faces, normals, colors, material)
+
+    def add_mesh(
+        self,
+        vertices: Arrays,
+        faces: Arrays,
+        *,
+        normals: Optional[Arrays] = None,
+        colors: Any = None,
+        material: Optional[Material] = None,
+        transform: Any = None,
+        name: str = "",
+    ) -> Mesh:
+        """Adds triangles with common vertices as one shape, and returns it.
+
+        vertices: (V, 3), kept as float32 if they are that, else as float64; faces: (N, 3), the numbers of the
+        vertices, counter-clockwise around the normal. normals: (V, 3), of any length, for smooth shading;
+        colors: (V, 3), linear, which are interpolated. The material's own color is used without them. A
+        mesh of which a scene has many copies is stored once: add(glint.Mesh(...)) again, or copies of it with
+        other transforms.
+        """
+        mesh = Mesh(vertices, faces, normals, colors, name=name)
+        if material is not None:
+            mesh.material = material
+        if transform is not None:
+            mesh.transform = transform
+        self._state.add_shape(mesh)
+        return mesh
 
     def mesh(
         self, mesh: Any, colors: Any = None, *, material: Optional[Material] = None, smooth: bool = True

@@ -239,8 +239,23 @@ def test_meshes():
     ):
         with pytest.raises(ValueError, match=message):
             glint.Mesh(vertices, triangles)
-    with pytest.raises(ValueError, match="normals: expected 4"):
-        glint.Mesh(corners, [(0, 1, 2)], normals=[(0, 0, 1)])
+    for wrong in ({"normals": [(0, 0, 1)]}, {"colors": [(0, 0, 1)]}):
+        with pytest.raises(ValueError, match=f"{[*wrong][0]}: expected 4"):
+            glint.Mesh(corners, [(0, 1, 2)], **wrong)
+
+
+def test_meshes_with_colors():
+    corners = np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], np.float32)
+    faces = np.array([(0, 1, 2), (0, 2, 3)])
+    scene = glint.Scene(glint.Light("ambient", intensity=1), size=(32, 32))
+    scene.camera = glint.Camera(projection="orthographic", position=(0, 0, 5), look_at=(0, 0, 0), size=(2, 2))
+    flat = glint.Material(ambient=(1, 1, 1), color=(1, 1, 1))
+    colors = corners[:, :1] / 2 + 0.5 + np.zeros((4, 3), np.float32)  # dark at the left, bright at the right
+    mesh = scene.add_mesh(corners, faces, colors=colors, material=flat)
+    np.testing.assert_array_equal(mesh.colors, colors)
+    row = scene.render().array[16, :, 1]
+    np.testing.assert_allclose(row, (np.arange(32) + 0.5) / 32, atol=1e-6)
+    assert len(scene.shapes) == 1 and scene.shapes[0].material == flat
 
 
 def test_transforms(scene):

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // glint convert: the files that it reads and writes, and those that it must not overwrite.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "cli/process.h"
@@ -62,6 +63,38 @@ group { rotate = (0, 30, 0)  include "parts/b.glint"  include "parts/c.cgfs" }
     EXPECT_EQ(folder.read("a.exr"), folder.read("b.exr"));
     // Included files are not overwritten either.
     EXPECT_EQ(run(folder, {"convert", "a.glint", "parts/b.glint"}).code, 2);
+}
+
+std::string mesh_text(int strips) {
+    std::string vertices, triangles;
+    for (int i = 0; i <= strips; ++i) {
+        vertices += fmt::format("{}({}, 0, 0), ({}, 1, 0.25)", i > 0 ? ", " : "", i, i);
+        if (i < strips)
+            triangles += fmt::format("{}({}, {}, {})", i > 0 ? ", " : "", 2 * i, 2 * i + 2, 2 * i + 1);
+    }
+    return fmt::format("mesh {{ vertices = ({})  triangles = ({}) }}\n", vertices, triangles);
+}
+
+TEST(Convert, WritesLargeMeshesBesideTheScene) {
+    const Folder folder;
+    std::filesystem::create_directory(folder.path("parts"));
+    constexpr std::string_view rest =
+        "camera { position = (9, 2, 40)  look_at = (9, 1, 0)  fov_y = 40 }\n"
+        "light { type = point  position = (2, 4, 5) }\n";
+    folder.write("a.glint", std::string(rest) + mesh_text(300) + mesh_text(2));
+    ASSERT_EQ(run(folder, {"convert", "a.glint", "parts/b.glint"}).code, 0);
+    const std::string text = folder.read("parts/b.glint");
+    EXPECT_TRUE(contains(text, "mesh { file = \"b-1.ply\" }")) << text;
+    EXPECT_TRUE(contains(text, "vertices = ((0, 0, 0), (0, 1, 0.25)")) << "a small one can be read";
+    EXPECT_TRUE(folder.read("parts/b-1.ply").starts_with("ply\nformat binary_little_endian 1.0\n"));
+    // A mesh of a file keeps it.
+    ASSERT_EQ(run(folder, {"convert", "parts/b.glint", "c.glint"}).code, 0);
+    EXPECT_TRUE(contains(folder.read("c.glint"), "mesh { file = \"parts/b-1.ply\" }"));
+    EXPECT_FALSE(std::filesystem::exists(folder.path("c-1.ply")));
+    for (const char* scene : {"a.glint", "parts/b.glint", "c.glint"}) {
+        ASSERT_EQ(run(folder, {"render", scene, "-s", "60x30", "-o", std::string(scene) + ".ppm"}).code, 0);
+        EXPECT_EQ(folder.read(std::string(scene) + ".ppm"), folder.read("a.glint.ppm")) << scene;
+    }
 }
 
 TEST(Convert, NeverOverwritesAScene) {

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // .ply: headers, the three codings, faces and mistakes.
+#include <fmt/format.h>
+
+#include <array>
 #include <bit>
 #include <cstring>
 
@@ -181,6 +184,40 @@ TEST(Ply, MistakesInAMeshBlock) {
         std::string::npos);
     EXPECT_NE(said("vertices = ((0, 0, 0)) triangles = ((0, 0, 0.5))").find("whole numbers"),
               std::string::npos);
+}
+
+// What a triangle has at its corners.
+std::string corners_of(const MeshData& mesh) {
+    std::string text;
+    const auto add = [&](Vec3 v) { text += fmt::format("({}, {}, {}) ", v.x, v.y, v.z); };
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        for (const std::uint32_t v : mesh.triangles[i]) add(mesh.position(v));
+        for (const CornerValues* values : {&mesh.normals, &mesh.colors}) {
+            const auto found = mesh.corner_values(*values, i);
+            for (const Float3& v : found.value_or(std::array<Float3, 3>{})) add(to_vec3(v));
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+TEST(Ply, IsWrittenAndReadBack) {
+    MeshData mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0.1}, {0, 1, 0}, {1, 1, 1}};
+    mesh.triangles = {{0, 1, 2}, {1, 3, 2}};
+    mesh.normals.values = {{0, 0, 1}, {0, 1, 0}};
+    mesh.normals.corners = {{0, 0, 1}, {1, 1, 1}};
+    mesh.colors.values = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.5F, 0.25F, 0}};
+    const Result<std::string> text = write_ply(mesh);
+    ASSERT_TRUE(text) << to_string(text);
+    const Result<Scene> scene = read(*text);
+    ASSERT_TRUE(scene) << to_string(scene);
+    EXPECT_EQ(corners_of(mesh_of(*scene)), corners_of(mesh));
+    EXPECT_EQ(mesh_of(*scene).vertex_count(), 5u) << "vertex 1 has two normals";
+    mesh.colors.corners = {{0, 1, 2}, {CornerValues::k_none, 0, 0}};
+    EXPECT_EQ(write_ply(mesh).code, ErrorCode::invalid_argument) << "a triangle without colors";
+    mesh.colors.corners = {{0, 1, 2}};
+    EXPECT_EQ(write_ply(mesh).code, ErrorCode::invalid_argument) << "colors of one triangle of two";
 }
 
 }  // namespace

@@ -73,6 +73,39 @@ test('a .zip is opened: the scene that no other one includes, and a menu of the 
     await page.locator('.notice').getByText('broken.zip is not opened').waitFor();
 })));
 
+/** A binary .ply file: a fan of triangles. */
+function fan() {
+    const count = 12, header = `ply\nformat binary_little_endian 1.0\nelement vertex ${count + 1}\nproperty float x\nproperty float y\nproperty float z\nelement face ${count - 1}\nproperty list uchar int vertex_indices\nend_header\n`;
+    const points = Array.from({length: count}, (_, i) => [Math.cos(i / 2), Math.sin(i / 2), i / 9]);
+    const vertices = Buffer.from(new Float32Array([[0, 0, 1], ...points].flat()).buffer);
+    const faces = Array.from({length: count - 1}, (_, i) => {
+        const face = Buffer.alloc(13, 3);
+        [0, i + 1, i + 2].forEach((v, k) => face.writeInt32LE(v, 1 + 4 * k));
+        return face;
+    });
+    return Buffer.concat([Buffer.from(header), vertices, ...faces]);
+}
+
+test('a .ply is opened as a scene that refers to it, and scenes find theirs', () => withPage((page) => inFolder({'fan.ply': fan(), 'two/a.glint': `camera { position = (0, 1, 8)  look_at = (0, 0, 0)  fov_x = 40 }
+light { type = point  position = (3, 4, 6) }
+mesh { file = "fan.ply" }
+`, 'two/fan.ply': fan()}, async (folder) => {
+    await drop(page, {name: 'fan.ply', text: fan()});
+    await named(page, 'fan.glint');
+    await settled(page);
+    assert.match(await sceneText(page), /mesh \{ file = "fan\.ply" \}/);
+    assert.deepEqual(await picture(page), native(join(folder, 'fan.ply')));
+    await shoot(page, 'mesh.png');
+    await drop(page, {name: 'bad.ply', text: 'ply\nformat ascii 1.0\nend_header\n'});
+    await page.locator('.notice').getByText('bad.ply is not opened').waitFor();
+    await drop(page, {name: 'a.glint', text: readFileSync(join(folder, 'two/a.glint'), 'utf8')});
+    await named(page, 'a.glint');
+    await settled(page, 'error');
+    await page.locator('.messages').getByLabel('choose a folder…').setInputFiles(join(folder, 'two'));
+    await settled(page);
+    assert.deepEqual(await picture(page), native(join(folder, 'two/a.glint')));
+})));
+
 test('a shape of an included text names that text, which opens and can be changed', () => withPage(async (page) => {
     const text = 'include "parts/ball.glint"\nrender { size = 80 x 60 }\ncamera { position = (0, 0, 6)  look_at = (0, 0, 0) }\nlight { type = ambient  intensity = 1 }\n';
     const ball = '# the ball\nsphere { center = (0, 0, 0)  radius = 2  color = (0.8, 0.2, 0.1) }\n';
