@@ -71,9 +71,7 @@ WorldMemory memory_usage(const World& world) {
     m.hierarchy = bytes(geometry.bvh.nodes);
     for (const auto& mesh : geometry.meshes) {
         if (mesh == nullptr) continue;
-        for (const ShapeClass& c : mesh->geometry.classes) {
-            for (const auto& corner : c.corner) m.shapes += bytes(corner);
-        }
+        for (const ShapeClass& c : mesh->geometry.classes) m.shapes += bytes(c.corners);
         m.indices += bytes(mesh->geometry.element);
         m.packed += mesh->geometry.count;
         m.hierarchy += bytes(mesh->geometry.bvh.nodes);

@@ -51,13 +51,14 @@ std::shared_ptr<const PackedMesh> pack_mesh(const std::shared_ptr<const MeshData
     triangles.kind = ShapeKind::triangle;
     triangles.count = count;
     triangles.mesh = data.get();
-    const std::size_t padded = std::size_t{count} + k_ray_padding;
-    for (auto& column : triangles.corner) resize_in_huge_pages(column, padded);
-    resize_in_huge_pages(geometry.element, padded);
+    triangles.stride = count + k_ray_padding;
+    resize_in_huge_pages(triangles.corners, 3 * std::size_t{triangles.stride});
+    resize_in_huge_pages(geometry.element, triangles.stride);
     for_all([&](std::size_t slot) {
         const std::uint32_t i = leaves[slot].item;
         geometry.element[slot] = i;
-        for (std::size_t k = 0; k < 3; ++k) triangles.corner[k][slot] = mesh.triangles[i][k];
+        for (std::size_t k = 0; k < 3; ++k)
+            triangles.corners[k * triangles.stride + slot] = mesh.triangles[i][k];
     });
     geometry.classes.push_back(std::move(triangles));
     Extent box;

@@ -30,11 +30,14 @@ struct ShapeClass {
     std::uint32_t count = 0;
     std::uint32_t stride = 0;  // count plus a vector of padding
     std::vector<double> values;
-    // Triangles of a mesh: their corners' numbers in it, by slot, instead of `values`.
+    // Triangles of a mesh: the numbers of their vertices in it, as three columns, instead of `values`.
     const MeshData* mesh = nullptr;
-    std::vector<std::uint32_t> corner[3];
+    std::vector<std::uint32_t> corners;
     const double* column(int k) const { return values.data() + static_cast<std::size_t>(k) * stride; }
     double value(int k, std::uint32_t slot) const { return column(k)[slot - first]; }
+    const std::uint32_t* corner_column(int k) const {
+        return corners.data() + static_cast<std::size_t>(k) * stride;
+    }
 };
 
 /// Slots are the positions of packed shapes; each triangle of a polygon or of a mesh by itself has a slot of

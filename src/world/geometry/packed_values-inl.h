@@ -18,10 +18,10 @@ namespace HWY_NAMESPACE {
 inline constexpr int k_triangle_values = 9;
 
 /// The vertices of triangles in slots [slot, slot + lanes) of a mesh, by lane.
-inline HWY_NOINLINE void load_corners(const ShapeClass& shapes, std::uint32_t slot, Doubles* p) {
+HWY_INLINE void load_corners(const ShapeClass& shapes, std::uint32_t slot, Doubles* p) {
     const MeshData& mesh = *shapes.mesh;
     for (int k = 0; k < 3; ++k) {
-        const std::uint32_t* const corners = shapes.corner[k].data() + slot;
+        const std::uint32_t* const corners = shapes.corner_column(k) + slot;
         if (mesh.single_positions.empty()) {
             const GatherIndices places(corners, 3);
             for (int a = 0; a < 3; ++a) *p++ = gather(&mesh.positions[0].x + a, places);
@@ -45,8 +45,8 @@ template <int n, class Element = double, class T>
 HWY_INLINE void broadcast_values(const ShapeClass& shapes, std::uint32_t slot, T* p) {
     if constexpr (n == k_triangle_values) {
         if (shapes.mesh != nullptr) {
-            for (const auto& corner : shapes.corner) {
-                const Vec3 v = shapes.mesh->position(corner[slot]);
+            for (int k = 0; k < 3; ++k) {
+                const Vec3 v = shapes.mesh->position(shapes.corner_column(k)[slot]);
                 for (const double x : {v.x, v.y, v.z}) *p++ = T(static_cast<Element>(x));
             }
             return;
