@@ -3,100 +3,60 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <cstring>
 #include <limits>
 
 #include "base/text.h"
 #include "formats/mesh_file.h"
-#include "formats/number_text.h"
 #include "formats/ply_header.h"
+#include "formats/ply_numbers.h"
 #include "formats/registry.h"
 
 namespace glint {
 namespace {
 
-// Numbers of a text, separated by blanks.
-class TextNumbers {
-  public:
-    TextNumbers(std::string_view text, std::size_t from)
-        : text_(text), at_(text.data() + from), start_(at_) {}
-
-    std::size_t offset() const { return static_cast<std::size_t>(at_ - text_.data()); }
-    /// Of the number that next() has read or has not found.
-    std::size_t start() const { return static_cast<std::size_t>(start_ - text_.data()); }
-    std::string_view found() const {
-        const std::string_view rest = text_.substr(start());
-        return rest.substr(0, rest.find_first_of(" \t\r\n"));
-    }
-    bool next(PlyType, double& value) {
-        const char* const end = text_.data() + text_.size();
-        while (at_ != end && is_blank(*at_)) ++at_;
-        start_ = at_;
-        const char* from = at_ != end && *at_ == '+' ? at_ + 1 : at_;
-        if (from == end) return false;
-        const char* after = read_short_number(from, end, value, [](char c) { return !is_blank(c); });
-        if (after == nullptr) after = read_any_number(from, end, value);
-        if (after == from || (after != end && !is_blank(*after))) return false;
-        at_ = after;
-        return true;
-    }
-
-  private:
-    static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
-    std::string_view text_;
-    const char* at_;
-    const char* start_;
-};
-
-// Binary numbers.
-template <bool swapped> class BinaryNumbers {
-  public:
-    BinaryNumbers(std::string_view text, std::size_t from) : text_(text), at_(from) {}
-
-    std::size_t offset() const { return at_; }
-    bool next(PlyType type, double& value) {
-        switch (type) {
-            case PlyType::int8:
-                return take<std::int8_t>(value);
-            case PlyType::uint8:
-                return take<std::uint8_t>(value);
-            case PlyType::int16:
-                return take<std::int16_t>(value);
-            case PlyType::uint16:
-                return take<std::uint16_t>(value);
-            case PlyType::int32:
-                return take<std::int32_t>(value);
-            case PlyType::uint32:
-                return take<std::uint32_t>(value);
-            case PlyType::float32:
-                return take<float>(value);
-            case PlyType::float64:
-                return take<double>(value);
-        }
-        return false;
-    }
-
-  private:
-    template <class T> bool take(double& value) {
-        std::array<char, sizeof(T)> bytes;
-        if (text_.size() - at_ < sizeof(T)) return false;
-        std::memcpy(bytes.data(), text_.data() + at_, sizeof(T));
-        if constexpr (swapped) std::reverse(bytes.begin(), bytes.end());
-        value = static_cast<double>(std::bit_cast<T>(bytes));
-        at_ += sizeof(T);
-        return true;
-    }
-    std::string_view text_;
-    std::size_t at_;
-};
-
-// What a property of a vertex becomes: a coordinate of the position or of the normal, or nothing.
-int vertex_column(std::string_view name) {
-    constexpr std::string_view names[] = {"x", "y", "z", "nx", "ny", "nz"};
+// What a property of a vertex becomes: a coordinate of the position or of the normal, a channel of the color,
+// or nothing. Of a face, only the color is used.
+constexpr int k_normal_column = 3, k_color_column = 6, k_ply_columns = 9;
+int ply_column(std::string_view name) {
+    constexpr std::string_view names[k_ply_columns] = {"x",  "y",   "z",     "nx",  "ny",
+                                                       "nz", "red", "green", "blue"};
+    if (name.starts_with("diffuse_")) name.remove_prefix(8);
     const auto found = std::find(std::begin(names), std::end(names), name);
     return found == std::end(names) ? -1 : static_cast<int>(found - names);
+}
+
+// The columns of an element's properties.
+std::vector<int> columns_of(const PlyElement& element) {
+    std::vector<int> columns;
+    for (const PlyProperty& p : element.properties) columns.push_back(p.count_type ? -1 : ply_column(p.name));
+    return columns;
+}
+
+bool has_colors(const PlyElement& element) {
+    const std::vector<int> columns = columns_of(element);
+    for (int channel = k_color_column; channel < k_ply_columns; ++channel) {
+        if (std::find(columns.begin(), columns.end(), channel) == columns.end()) return false;
+    }
+    return true;
+}
+
+// The number that stands for a full channel: files have whole numbers of bytes, even in larger types.
+double full_channel(PlyType type) {
+    switch (type) {
+        case PlyType::float32:
+        case PlyType::float64:
+            return 1;
+        case PlyType::uint16:
+            return 65535;
+        case PlyType::int8:
+        case PlyType::uint8:
+        case PlyType::int16:
+        case PlyType::int32:
+        case PlyType::uint32:
+            return 255;
+    }
+    return 255;
 }
 
 // Whether every number of the type is one of single precision.
@@ -143,7 +103,7 @@ template <class Numbers> class PlyBody {
     }
     bool fail(std::string message) {
         // Lines of binary numbers mean nothing: the error has the place of the element in the header.
-        if constexpr (std::is_same_v<Numbers, TextNumbers>) {
+        if constexpr (std::is_same_v<Numbers, PlyText>) {
             const std::size_t length = std::max<std::size_t>(numbers_.found().size(), 1);
             error_at(numbers_.start(), length, fmt::format("{} {}: {}", element_->name, index_, message));
         } else {
@@ -154,7 +114,7 @@ template <class Numbers> class PlyBody {
     }
     bool number(PlyType type, double& value) {
         if (numbers_.next(type, value)) return true;
-        if constexpr (std::is_same_v<Numbers, TextNumbers>) {
+        if constexpr (std::is_same_v<Numbers, PlyText>) {
             if (!numbers_.found().empty())
                 return fail("expected a number, found " + quoted(numbers_.found()));
         }
@@ -228,34 +188,41 @@ template <class Numbers> class PlyBody {
         }
         const bool has_normals = element_->find("nx") != nullptr && element_->find("ny") != nullptr &&
                                  element_->find("nz") != nullptr;
-        if (element_->find("red") != nullptr || element_->find("diffuse_red") != nullptr) {
-            reading_.diagnostics.warn_once("ply colors", where_, element_->offset, element_->length,
-                                           "glint does not render the colors of vertices yet");
-        }
+        const bool is_colored = has_colors(*element_);
         MeshData& mesh = *mesh_;
         if (!(single ? reserve(mesh.single_positions, count) : reserve(mesh.positions, count)) ||
-            (has_normals && !reserve(mesh.normals.values, count))) {
+            (has_normals && !reserve(mesh.normals.values, count)) ||
+            (is_colored && !reserve(mesh.colors.values, count))) {
             return false;
         }
-        std::vector<int> columns;
-        for (const PlyProperty& p : element_->properties)
-            columns.push_back(p.count_type ? -1 : vertex_column(p.name));
+        const std::vector<int> columns = columns_of(*element_);
         for (; index_ < count && goes_on(); ++index_) {
-            double v[6] = {};
+            double v[k_ply_columns] = {};
             for (std::size_t i = 0; i < columns.size(); ++i) {
-                const PlyProperty& p = element_->properties[i];
-                double value = 0;
-                if (p.count_type ? !skip(p) : !number(p.type, value)) return false;
-                if (columns[i] >= 0) v[columns[i]] = value;
+                if (!read_column(element_->properties[i], columns[i], v)) return false;
             }
             if (single) {
                 mesh.single_positions.push_back(to_single(v));
             } else {
                 mesh.positions.push_back({v[0], v[1], v[2]});
             }
-            if (has_normals) mesh.normals.values.push_back(to_single(v + 3));
+            if (has_normals) mesh.normals.values.push_back(to_single(v + k_normal_column));
+            if (is_colored) mesh.colors.values.push_back(to_single(v + k_color_column));
         }
         return !reading_.diagnostics.full();
+    }
+    // Reads or skips a property.
+    bool read_column(const PlyProperty& p, int column, double (&values)[k_ply_columns]) {
+        if (p.count_type) return skip(p);
+        double value = 0;
+        if (!number(p.type, value)) return false;
+        if (column >= k_color_column) {
+            value /= full_channel(p.type);
+            if (!k_not_negative.contains(value))
+                return fail(fmt::format("expected a color of at least 0, found {}", value));
+        }
+        if (column >= 0) values[column] = value;
+        return true;
     }
     static Float3 to_single(const double* v) {
         return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
@@ -270,16 +237,34 @@ template <class Numbers> class PlyBody {
             return false;
         }
         std::uint64_t vertices = 0;
+        bool is_colored = has_colors(*element_);
         for (const PlyElement& e : header_.elements) {
-            if (e.name == "vertex") vertices = e.count;
+            if (e.name != "vertex") continue;
+            vertices = e.count;
+            if (has_colors(e)) is_colored = false;  // those of the vertices are finer
         }
-        if (!reserve(mesh_->triangles, static_cast<std::size_t>(element_->count))) return false;
-        for (; index_ < element_->count && goes_on(); ++index_) {
-            for (const PlyProperty& p : element_->properties) {
-                if (&p == corners ? !read_face(p, vertices) : !skip(p)) return false;
+        const auto count = static_cast<std::size_t>(element_->count);
+        if (!reserve(mesh_->triangles, count)) return false;
+        if (is_colored && (!reserve(mesh_->colors.values, count) || !reserve(mesh_->colors.corners, count)))
+            return false;
+        const std::vector<int> columns = columns_of(*element_);
+        for (; index_ < count && goes_on(); ++index_) {
+            double v[k_ply_columns] = {};
+            for (std::size_t i = 0; i < columns.size(); ++i) {
+                const PlyProperty& p = element_->properties[i];
+                if (&p == corners ? !read_face(p, vertices) : !read_column(p, columns[i], v)) return false;
             }
+            if (is_colored) add_face_color(to_single(v + k_color_column));
         }
         return !reading_.diagnostics.full();
+    }
+
+    // Of the triangles since the last one that has a color. Neighbours often have the same.
+    void add_face_color(const Float3& color) {
+        CornerValues& colors = mesh_->colors;
+        if (colors.empty() || colors.values.back() != color) colors.values.push_back(color);
+        const auto number = static_cast<std::uint32_t>(colors.values.size() - 1);
+        colors.corners.resize(mesh_->triangles.size(), {number, number, number});
     }
 
     // A face with more than three corners becomes triangles that have its first corner in common.
@@ -322,11 +307,11 @@ std::shared_ptr<const MeshData> read_ply_mesh(LoadState& reading, InputText wher
     if (!header) return nullptr;
     switch (header->coding) {
         case PlyCoding::ascii:
-            return PlyBody<TextNumbers>(reading, where, *header).read();
+            return PlyBody<PlyText>(reading, where, *header).read();
         case PlyCoding::little_endian:
-            return PlyBody<BinaryNumbers<false>>(reading, where, *header).read();
+            return PlyBody<PlyBinary<false>>(reading, where, *header).read();
         case PlyCoding::big_endian:
-            return PlyBody<BinaryNumbers<true>>(reading, where, *header).read();
+            return PlyBody<PlyBinary<true>>(reading, where, *header).read();
     }
     return nullptr;
 }

@@ -83,9 +83,69 @@ TEST(Ply, BinaryFilesHaveEitherOrderOfBytes) {
         EXPECT_EQ(mesh.normals.values, (std::vector<Float3>{{0, 0, 2}, {0, 0, 2}, {0, 0, 0}}));
         EXPECT_FALSE(mesh.corner_normals(0)) << "a corner has the normal 0";
         ASSERT_EQ(mesh.triangles.size(), 1u);
-        EXPECT_NE(messages(result).find("colors of vertices"), std::string::npos);
+        EXPECT_TRUE(mesh.colors.empty()) << "red alone is no color";
         EXPECT_NE(messages(result).find("1 faces with fewer than three vertices"), std::string::npos);
     }
+}
+
+// The square's vertices with colors of a type.
+std::string colored(const std::string& type, const std::string& prefix, const char* (&&colors)[4]) {
+    std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+        "property float z\n";
+    for (const char* const channel : {"red", "green", "blue"})
+        text += "property " + type + " " + prefix + channel + "\n";
+    text += "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    const char* const corners[] = {"0 0 0 ", "1 0 0 ", "1 1 0 ", "0 1 0 "};
+    for (std::size_t i = 0; i < 4; ++i) text += std::string(corners[i]) + colors[i] + "\n";
+    return text + "4 0 1 2 3\n";
+}
+
+TEST(Ply, VerticesHaveColors) {
+    const std::vector<Float3> expected{{0, 0, 1}, {0.2F, 0, 0}, {1, 1, 1}, {0, 0.6F, 0}};
+    const Scene bytes =
+        quiet_scene(colored("uchar", "", {"0 0 255", "51 0 0", "255 255 255", "0 153 0"}), "a.ply");
+    EXPECT_EQ(mesh_of(bytes).colors.values, expected);
+    EXPECT_TRUE(mesh_of(bytes).colors.corners.empty()) << "each vertex has one";
+    const Scene words = quiet_scene(
+        colored("ushort", "diffuse_", {"0 0 65535", "13107 0 0", "65535 65535 65535", "0 39321 0"}), "a.ply");
+    EXPECT_EQ(mesh_of(words).colors.values, expected);
+    const Scene floats = quiet_scene(colored("float", "", {"0 0 1", "0.2 0 0", "1 1 1", "0 0.6 0"}), "a.ply");
+    EXPECT_EQ(mesh_of(floats).colors.values, expected);
+    const Result<Scene> negative = read(colored("float", "", {"0 0 1", "0 -1 0", "1 1 1", "0 0 0"}));
+    EXPECT_FALSE(negative);
+    EXPECT_NE(messages(negative).find("a.ply:14:9: error: vertex 1: expected a color of at least 0"),
+              std::string::npos)
+        << messages(negative);
+}
+
+TEST(Ply, FacesHaveColors) {
+    const std::string header =
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+        "VERTEX_COLORS"
+        "element face 4\nproperty list uchar int vertex_indices\nproperty uchar red\nproperty uchar green\n"
+        "property uchar blue\nend_header\n";
+    const std::string faces = "4 0 1 2 3 255 0 0\n2 0 1 0 0 0\n3 0 1 2 0 0 255\n3 1 2 3 0 0 255\n";
+    const auto with = [&](const std::string& colors, const std::string& vertices) {
+        std::string text = header + vertices + faces;
+        return text.replace(text.find("VERTEX_COLORS"), 13, colors);
+    };
+    const Result<Scene> result = read(with("", "0 0 0\n1 0 0\n1 1 0\n0 1 0\n"));
+    ASSERT_TRUE(result) << messages(result);
+    const MeshData& mesh = mesh_of(*result);
+    ASSERT_EQ(mesh.colors.corners.size(), 4u) << "a square is two triangles";
+    const auto color = [&](std::size_t i) { return mesh.corner_values(mesh.colors, i)->at(1); };
+    EXPECT_EQ(color(0), (Float3{1, 0, 0}));
+    EXPECT_EQ(color(1), (Float3{1, 0, 0}));
+    EXPECT_EQ(color(2), (Float3{0, 0, 1}));
+    EXPECT_EQ(color(3), (Float3{0, 0, 1}));
+    EXPECT_EQ(mesh.colors.values.size(), 3u) << "the one of the face that is left out, and no repetition";
+
+    const Result<Scene> both = read(with("property uchar red\nproperty uchar green\nproperty uchar blue\n",
+                                         "0 0 0 0 0 0\n1 0 0 0 0 0\n1 1 0 0 0 0\n0 1 0 0 255 0\n"));
+    ASSERT_TRUE(both) << messages(both);
+    EXPECT_TRUE(mesh_of(*both).colors.corners.empty()) << "the colors of vertices count";
+    EXPECT_EQ(mesh_of(*both).colors.values.size(), 4u);
 }
 
 TEST(Ply, EveryShortenedFileIsAnError) {
