@@ -21,10 +21,10 @@ constexpr Vec3 k_to_eye{0.5, 0.4, 1};
 constexpr Vec3 k_to_light{-0.25, 1.2, 1};
 constexpr double k_main_light = 0.8, k_eye_light = 0.2;
 
-std::optional<std::uint32_t> mesh_of_text(LoadState& reading, const ReadText& text) {
+std::optional<std::uint32_t> mesh_of_text(LoadState& reading, const ReadText& text, MeshReader read) {
     if (const auto known = reading.meshes.find(text.file); known != reading.meshes.end())
         return known->second;
-    std::shared_ptr<const MeshData> mesh = read_ply_mesh(reading, text.place);
+    std::shared_ptr<const MeshData> mesh = read(reading, text.place);
     if (!mesh) return std::nullopt;
     const auto index = static_cast<std::uint32_t>(reading.scene.meshes.size());
     reading.scene.meshes.push_back(std::move(mesh));
@@ -32,6 +32,15 @@ std::optional<std::uint32_t> mesh_of_text(LoadState& reading, const ReadText& te
     reading.scene.mesh_files.push_back(text.file);
     reading.meshes.emplace(text.file, index);
     return index;
+}
+
+// "`.ply` or `.stl`".
+std::string mesh_extensions() {
+    std::vector<std::string_view> all;
+    for (const Format& format : all_formats()) {
+        if (format.read_mesh != nullptr) all.push_back(format.info.extensions);
+    }
+    return one_of(all);
 }
 
 template <class Visit> void for_each_vertex(const Scene& scene, const Visit& visit) {
@@ -56,8 +65,8 @@ void place_camera(Scene& scene) {
 
 }  // namespace
 
-void read_mesh_text(LoadState& reading, const ReadText& text) {
-    const auto mesh = mesh_of_text(reading, text);
+void read_mesh_text(LoadState& reading, const ReadText& text, MeshReader read) {
+    const auto mesh = mesh_of_text(reading, text, read);
     if (!mesh) return;
     const std::uint32_t shape = reading.scene.add(Mesh{*mesh});
     note(reading.scene.shape_texts, shape, {1, 1, text.file});
@@ -68,20 +77,21 @@ std::optional<std::uint32_t> mesh_of_file(LoadState& reading, const ReadText& fr
                                           const std::string& name) {
     std::string why;
     const Format* const format = find_format({name, {}, {}}, why);
-    if (format == nullptr || format->read != read_ply) {
+    if (format == nullptr || format->read_mesh == nullptr) {
         reading.diagnostics.error(
             from.place, at.offset, at.length,
-            fmt::format("{}: expected the name of a file that ends in .ply", quoted(name)));
+            fmt::format("{}: expected the name of a file that ends in {}", quoted(name), mesh_extensions()));
         return std::nullopt;
     }
     const auto text = open_text(reading, from, at, name);
-    return text ? mesh_of_text(reading, *text) : std::nullopt;
+    return text ? mesh_of_text(reading, *text, format->read_mesh) : std::nullopt;
 }
 
 void set_mesh_defaults(Scene&) {}
 
 void finish_mesh(LoadState& reading) {
     if (!reading.is_mesh_alone || reading.diagnostics.any_errors()) return;
+    reading.is_mesh_alone = false;  // this is called for each format of meshes
     Scene& scene = reading.scene;
     if (!reading.camera_given) place_camera(scene);
     if (!scene.lights.empty()) return;

@@ -10,11 +10,13 @@
 
 namespace glint {
 
-/// Reads a .ply. Null after an error.
+/// Reads a text as one mesh. Null after an error.
+using MeshReader = std::shared_ptr<const MeshData> (*)(LoadState& reading, InputText where);
 std::shared_ptr<const MeshData> read_ply_mesh(LoadState& reading, InputText where);
+std::shared_ptr<const MeshData> read_stl_mesh(LoadState& reading, InputText where);
 
 /// Adds the mesh of a text to the scene, as a shape with the default material.
-void read_mesh_text(LoadState& reading, const ReadText& text);
+void read_mesh_text(LoadState& reading, const ReadText& text, MeshReader read);
 
 /// The index in Scene::meshes of the mesh in file `name`, relative to the text `from`; a file is read once.
 /// Nothing after an error; one of the file's name is reported at `at`.

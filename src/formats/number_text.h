@@ -14,7 +14,8 @@ inline bool is_decimal_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// [-] digits [. digits] with at most 15 digits: the digits and the power of ten are exact, so that their
 /// quotient is the nearest double. Most numbers of large scenes have this form. Returns the end of the
-/// number; null for other numbers, and if `continues` is true for the character after it.
+/// number; null for other numbers, for a sign or point alone, and if `continues` is true for the character
+/// after it.
 template <class Continues>
 inline const char* read_short_number(const char* from, const char* end, double& value,
                                      const Continues& continues) {
@@ -33,7 +34,8 @@ inline const char* read_short_number(const char* from, const char* end, double& 
             digits = digits * 10 + static_cast<std::uint64_t>(*at++ - '0');
         decimals = at - first;
     }
-    if (count + decimals > 15 || (at != end && continues(*at))) return nullptr;
+    const std::ptrdiff_t all = count + decimals;
+    if (all > 15 || all == 0 || (at != end && continues(*at))) return nullptr;
     value = static_cast<double>(digits) / k_tens[decimals];
     if (negative) value = -value;
     return at;

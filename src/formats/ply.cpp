@@ -316,6 +316,6 @@ std::shared_ptr<const MeshData> read_ply_mesh(LoadState& reading, InputText wher
     return nullptr;
 }
 
-void read_ply(LoadState& reading, const ReadText& text) { read_mesh_text(reading, text); }
+void read_ply(LoadState& reading, const ReadText& text) { read_mesh_text(reading, text, read_ply_mesh); }
 
 }  // namespace glint

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "formats/load_state.h"
+#include "formats/mesh_file.h"
 
 namespace glint {
 
@@ -15,6 +16,8 @@ struct Format {
     void (*read)(LoadState&, const ReadText&);
     /// Completes the scene after the last text of a load; or null.
     void (*finish)(LoadState&) = nullptr;
+    /// The text as one mesh, for shapes that name its file; or null.
+    MeshReader read_mesh = nullptr;
 };
 
 std::span<const Format> all_formats();
@@ -22,8 +25,8 @@ std::span<const Format> all_formats();
 /// The format by the text's `format`, or by the extension of its name. Null and the reason if there is none.
 const Format* find_format(const SceneText& text, std::string& why);
 
-/// Whether a file has the name of a scene or of POV-Ray's includes. Messages quote no lines of other files
-/// that a scene includes, which may be anybody's.
+/// Whether a file has the name of a scene, of POV-Ray's includes or of an .obj's materials. Messages quote no
+/// lines of other files that a scene includes, which may be anybody's.
 bool is_scene_name(std::string_view name);
 
 void set_cgfs_defaults(Scene& scene);
@@ -47,6 +50,7 @@ void finish_tachyon(LoadState& reading);
 
 void set_mesh_defaults(Scene& scene);
 void read_ply(LoadState& reading, const ReadText& text);
+void read_stl(LoadState& reading, const ReadText& text);
 void finish_mesh(LoadState& reading);
 
 void set_glint_defaults(Scene& scene);

@@ -25,15 +25,16 @@ TEST(Load, UnknownFormatsAreNamed) {
         const Result<Scene> result = load_text(k_text, name);
         ASSERT_EQ(result.diagnostics.size(), 1u) << name;
         EXPECT_EQ(result.diagnostics[0].message,
-                  "expected a name that ends in one of .cgfs, .json .js, .pov, .nff, .dat, .ply, .glint, or "
+                  "expected a name that ends in one of .cgfs, .json .js, .pov, .nff, .dat, .ply, .stl, "
+                  ".glint, or "
                   "the name "
-                  "of a format (cgfs, epfl, csc473, povray, nff, tachyon, ply, glint)");
+                  "of a format (cgfs, epfl, csc473, povray, nff, tachyon, ply, stl, glint)");
         EXPECT_EQ(result.diagnostics[0].file, name);
     }
     const SceneText text[] = {{"a", k_text, "pov"}};
-    EXPECT_EQ(
-        load(text).diagnostics.at(0).message,
-        "expected one of the formats cgfs, epfl, csc473, povray, nff, tachyon, ply, glint, found 'pov'");
+    EXPECT_EQ(load(text).diagnostics.at(0).message,
+              "expected one of the formats cgfs, epfl, csc473, povray, nff, tachyon, ply, stl, glint, "
+              "found 'pov'");
     EXPECT_TRUE(has_errors(load({}).diagnostics));
 }
 

@@ -181,6 +181,7 @@ TEST(Ply, MistakesAreReportedAtTheirPlace) {
                  "a.ply:8:1: error: expected the list `vertex_indices`");
     expect_error(changed("vertex 4", "vertex 4000000000"), "with room for");
     expect_error(changed("1 1 0.5", "1 l 0.5"), "a.ply:13:3: error: vertex 2: expected a number, found 'l'");
+    expect_error(changed("1 1 0.5", "1 - 0.5"), "a.ply:13:3: error: vertex 2: expected a number, found '-'");
     expect_error(changed("4 0 1 2 3", "4 0 1 2 4"),
                  "a.ply:15:9: error: face 0: expected a vertex from 0 to 3, found 4");
     expect_error(changed("4 0 1 2 3", "2 0 1"), "no face with three vertices");
@@ -237,7 +238,7 @@ TEST(Ply, MistakesInAMeshBlock) {
     };
     EXPECT_NE(said("").find("2:1: error: expected a mesh's `file`"), std::string::npos) << said("");
     EXPECT_NE(said("file = \"b.ply\"").find("'b.ply': no such file"), std::string::npos);
-    EXPECT_NE(said("file = \"b.png\"").find("ends in .ply"), std::string::npos);
+    EXPECT_NE(said("file = \"b.png\"").find("ends in `.ply` or `.stl`"), std::string::npos);
     EXPECT_NE(said("file = \"square.ply\" vertices = ((0, 0, 0))").find("found both"), std::string::npos);
     EXPECT_NE(
         said("vertices = ((0, 0, 0)) triangles = ((0, 0, 1))").find("triangle 0: expected a vertex below 1"),
