@@ -70,7 +70,8 @@ def load(
     skip_unsupported: bool = False,
     progress: Progress = None,
 ) -> Scene:
-    """The scene of one file, or of several together: .cgfs, .json, .js, .pov, .nff, .dat, .ply, .stl, or .glint.
+    """The scene of one file, or of several together: .cgfs, .json, .js, .pov, .nff, .dat, .ply, .stl, .obj
+    or .glint.
 
     The keywords are the options of the command. format: if the file's name does not tell; scene_name: of a
     file that holds several; include_path: a folder, or several, with files that the scene includes and that are
@@ -118,7 +119,7 @@ def loads(
     max_memory: int = 0,
     skip_unsupported: bool = False,
 ) -> Scene:
-    """The scene of a text: 'cgfs', 'epfl', 'csc473', 'povray', 'nff', 'tachyon', 'ply', 'stl' or
+    """The scene of a text: 'cgfs', 'epfl', 'csc473', 'povray', 'nff', 'tachyon', 'ply', 'stl', 'obj' or
     'glint'.
 
     name: for messages; a file that the text includes is looked for beside a file of this name, then in

@@ -46,8 +46,9 @@ struct Kept {
 
 class Include {
   public:
-    Include(LoadState& reading, const ReadText& from, const Token& at)
-        : reading_(reading), from_(from), at_(at) {}
+    /// without: what the scene is without the text, if it can do without.
+    Include(LoadState& reading, const ReadText& from, const Token& at, std::string_view without = {})
+        : reading_(reading), from_(from), at_(at), without_(without) {}
 
     void read(const std::string& name, const std::string& format_name) {
         if (reading_.diagnostics.full()) return;
@@ -89,6 +90,11 @@ class Include {
 
   private:
     void error(const std::string& name, const std::string& what) {
+        if (!without_.empty()) {
+            reading_.diagnostics.warn(from_.place, at_.offset, at_.length,
+                                      fmt::format("{}: {}; {}", quoted(name), what, without_));
+            return;
+        }
         reading_.diagnostics.error(from_.place, at_.offset, at_.length,
                                    fmt::format("{}: {}", quoted(name), what));
     }
@@ -122,7 +128,7 @@ class Include {
         }
         Result<std::string> text = reading_.sources->read(name, from_.place.name);
         if (!text) {
-            reading_.is_include_missing = true;
+            if (without_.empty()) reading_.is_include_missing = true;
             error(name, text.message.empty() ? "no such file" : text.message);
             return std::nullopt;
         }
@@ -178,6 +184,7 @@ class Include {
     LoadState& reading_;
     const ReadText& from_;
     const Token& at_;
+    const std::string_view without_;
 };
 
 }  // namespace
@@ -190,6 +197,11 @@ void include_text(LoadState& reading, const ReadText& from, const Token& at, con
 std::optional<ReadText> open_text(LoadState& reading, const ReadText& from, const Token& at,
                                   const std::string& name) {
     return Include(reading, from, at).open(name);
+}
+
+std::optional<ReadText> open_optional_text(LoadState& reading, const ReadText& from, const Token& at,
+                                           const std::string& name, std::string_view without) {
+    return Include(reading, from, at, without).open(name);
 }
 
 }  // namespace glint

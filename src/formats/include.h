@@ -17,4 +17,9 @@ void include_text(LoadState& reading, const ReadText& from, const Token& at, con
 std::optional<ReadText> open_text(LoadState& reading, const ReadText& from, const Token& at,
                                   const std::string& name);
 
+/// The same for a text that the scene can do without: a warning that ends with `without` ("the shapes are
+/// ...") instead of an error.
+std::optional<ReadText> open_optional_text(LoadState& reading, const ReadText& from, const Token& at,
+                                           const std::string& name, std::string_view without);
+
 }  // namespace glint

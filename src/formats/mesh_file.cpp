@@ -34,7 +34,7 @@ std::optional<std::uint32_t> mesh_of_text(LoadState& reading, const ReadText& te
     return index;
 }
 
-// "`.ply` or `.stl`".
+// "`.ply`, `.stl` or `.obj`".
 std::string mesh_extensions() {
     std::vector<std::string_view> all;
     for (const Format& format : all_formats()) {
@@ -97,6 +97,7 @@ void finish_mesh(LoadState& reading) {
     if (!scene.lights.empty()) return;
     Light ambient;
     ambient.kind = LightKind::ambient;
+    ambient.color = Color{1, 1, 1} * reading.mesh_ambient_light;
     const auto directional = [](Vec3 to_light, double strength, bool casts_shadows) {
         Light light;
         light.kind = LightKind::directional;

@@ -14,6 +14,8 @@ namespace glint {
 using MeshReader = std::shared_ptr<const MeshData> (*)(LoadState& reading, InputText where);
 std::shared_ptr<const MeshData> read_ply_mesh(LoadState& reading, InputText where);
 std::shared_ptr<const MeshData> read_stl_mesh(LoadState& reading, InputText where);
+/// Without the materials.
+std::shared_ptr<const MeshData> read_obj_mesh(LoadState& reading, InputText where);
 
 /// Adds the mesh of a text to the scene, as a shape with the default material.
 void read_mesh_text(LoadState& reading, const ReadText& text, MeshReader read);

@@ -45,6 +45,11 @@ constexpr Format k_formats[] = {
      read_stl,
      finish_mesh,
      read_stl_mesh},
+    {{"obj", ".obj", "glint", "Wavefront's meshes, with the materials of .mtl files"},
+     set_mesh_defaults,
+     read_obj,
+     finish_mesh,
+     read_obj_mesh},
     {{"glint", ".glint", "glint", "glint's own scene language"},
      set_glint_defaults,
      read_glint,
@@ -93,7 +98,7 @@ std::string known(std::string_view FormatInfo::*column) {
 std::span<const Format> all_formats() { return k_formats; }
 
 bool is_scene_name(std::string_view name) {
-    return has_extension(name, ".inc") ||
+    return has_extension(name, ".inc .mtl") ||
            std::any_of(std::begin(k_formats), std::end(k_formats),
                        [&](const Format& f) { return has_extension(name, f.info.extensions); });
 }

@@ -51,6 +51,7 @@ void finish_tachyon(LoadState& reading);
 void set_mesh_defaults(Scene& scene);
 void read_ply(LoadState& reading, const ReadText& text);
 void read_stl(LoadState& reading, const ReadText& text);
+void read_obj(LoadState& reading, const ReadText& text);
 void finish_mesh(LoadState& reading);
 
 void set_glint_defaults(Scene& scene);

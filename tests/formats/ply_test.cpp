@@ -238,7 +238,7 @@ TEST(Ply, MistakesInAMeshBlock) {
     };
     EXPECT_NE(said("").find("2:1: error: expected a mesh's `file`"), std::string::npos) << said("");
     EXPECT_NE(said("file = \"b.ply\"").find("'b.ply': no such file"), std::string::npos);
-    EXPECT_NE(said("file = \"b.png\"").find("ends in `.ply` or `.stl`"), std::string::npos);
+    EXPECT_NE(said("file = \"b.png\"").find("ends in `.ply`, `.stl` or `.obj`"), std::string::npos);
     EXPECT_NE(said("file = \"square.ply\" vertices = ((0, 0, 0))").find("found both"), std::string::npos);
     EXPECT_NE(
         said("vertices = ((0, 0, 0)) triangles = ((0, 0, 1))").find("triangle 0: expected a vertex below 1"),

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: Apache-2.0
+// .obj: Wavefront's meshes. docs/formats/obj.md.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "base/text.h"
+#include "formats/include.h"
+#include "formats/line_words.h"
+#include "formats/mesh_file.h"
+#include "formats/mtl.h"
+#include "formats/obj_data.h"
+#include "formats/obj_index.h"
+#include "formats/registry.h"
+#include "scene/ranges.h"
+
+namespace glint {
+namespace {
+
+constexpr std::size_t k_max_face_corners = 1'000'000;
+// Of a scene that has no lights. Programs write a Ka that is as bright as Kd, or white.
+constexpr double k_obj_ambient_light = 0.1;
+
+// What has no surface, and the statements that belong to it.
+constexpr std::string_view k_curves[] = {"p",    "l",    "curv", "curv2", "surf", "parm", "trim",
+                                         "hole", "scrv", "sp",   "end",   "con",  "vp",   "cstype",
+                                         "deg",  "bmat", "step", "stech", "ctech"};
+
+class ObjReader {
+  public:
+    /// is_one_mesh: without materials.
+    ObjReader(LoadState& reading, const ReadText& text, bool is_one_mesh)
+        : reading_(reading),
+          text_(text),
+          is_one_mesh_(is_one_mesh),
+          words_(text.place.text, LineWords::Syntax::wavefront) {}
+
+    std::shared_ptr<const MeshData> read_mesh() {
+        return read() ? ObjMeshes(data_, reading_, text_.place).make(data_.parts[0]) : nullptr;
+    }
+    void read_scene() {
+        if (read()) add_shapes();
+    }
+
+  private:
+    bool read() {
+        const std::uint32_t errors = reading_.diagnostics.error_count();
+        while (words_.next_line()) {
+            const std::string_view word = words_.next();
+            if (!word.empty()) statement(word);
+            if (++work_ >= 16384 && !go_on()) return false;
+        }
+        if (reading_.diagnostics.error_count() > errors) return false;
+        if (!vertex_numbers_.check(data_.positions.size(), "vertex", reading_, text_.place)) return false;
+        if (!normal_numbers_.check(data_.normals.size(), "normal", reading_, text_.place)) return false;
+        if (data_.parts.empty()) {
+            reading_.diagnostics.error(text_.place, 0, 1, "no faces with three vertices");
+            return false;
+        }
+        if (small_faces_ > 0) {
+            reading_.diagnostics.warn(
+                text_.place, 0, 1,
+                fmt::format("{} faces with fewer than three vertices are left out", small_faces_));
+        }
+        return go_on() && smooth_groups(data_, reading_, text_.place);
+    }
+    bool go_on() {
+        work_ = 0;
+        return reading_.diagnostics.go_on(text_.place, words_.offset());
+    }
+
+    bool error(std::string message) {
+        reading_.diagnostics.error(text_.place, words_.start(), words_.length(), std::move(message));
+        return false;
+    }
+    bool expected(std::string_view what) {
+        return error(words_.found().empty()
+                         ? fmt::format("the line ends here: expected {}", what)
+                         : fmt::format("expected {}, found {}", what, quoted(words_.found())));
+    }
+    void warn_once(std::string_view key, std::string message) {
+        reading_.diagnostics.warn_once(key, text_.place, words_.start(), words_.length(), std::move(message));
+    }
+
+    void statement(std::string_view word) {
+        if (word == "v") return read_vertex();
+        if (word == "vn") return read_normal();
+        if (word == "f" || word == "fo") return read_face();
+        if (word == "vt") return;  // textures are not drawn
+        if (word == "usemtl") return use_material();
+        if (word == "mtllib") return read_libraries();
+        if (word == "s") return read_group();
+        if (word == "o") {
+            object_name_ = std::string(words_.rest());
+        } else if (word == "g") {
+            group_name_ = std::string(words_.rest());
+        } else if (std::find(std::begin(k_curves), std::end(k_curves), word) != std::end(k_curves)) {
+            warn_once("obj curves", "glint draws no points, lines, curves and curved surfaces of .obj files");
+        } else {
+            warn_once("obj other", fmt::format("glint ignores {}, and other statements that it does not know",
+                                               quoted(word)));
+        }
+    }
+
+    bool number(double& value, const Range& range) {
+        words_.next();
+        return (read_number_word(words_.found(), value) && range.contains(value)) || expected(range.text);
+    }
+    bool point(Vec3& p) {
+        return number(p.x, k_coordinate) && number(p.y, k_coordinate) && number(p.z, k_coordinate);
+    }
+
+    // x y z, and a weight, which is not used, or a color.
+    void read_vertex() {
+        Vec3 p, color;
+        if (!point(p)) return;
+        double* const channels[] = {&color.x, &color.y, &color.z};
+        std::size_t count = 0;
+        for (; count < 3 && !words_.next().empty(); ++count) {
+            double& channel = *channels[count];
+            if (!read_number_word(words_.found(), channel) || !k_not_negative.contains(channel)) {
+                expected(k_not_negative.text);
+                return;
+            }
+        }
+        data_.is_single =
+            data_.is_single && is_single_number(p.x) && is_single_number(p.y) && is_single_number(p.z);
+        data_.positions.push_back(p);
+        if (count < 3) return;
+        data_.vertex_colors.resize(data_.positions.size() - 1, ObjData::k_no_color);
+        data_.vertex_colors.push_back(to_single(color));
+    }
+    void read_normal() {
+        Vec3 n;
+        if (point(n)) data_.normals.push_back(to_single(n));
+    }
+    static Float3 to_single(const Vec3& v) {
+        return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+    }
+
+    // A face with more than three corners becomes triangles that have its first corner in common. The normals
+    // count if each corner has one.
+    void read_face() {
+        face_.clear();
+        bool has_normals = true;
+        while (!words_.next().empty()) {
+            ObjCorner corner;
+            if (!read_corner(corner)) return;
+            if (face_.size() == k_max_face_corners) {
+                error(fmt::format("more than {} corners of a face", k_max_face_corners));
+                return;
+            }
+            has_normals = has_normals && corner.normal != CornerValues::k_none;
+            face_.push_back(corner);
+        }
+        if (face_.size() < 3) {
+            ++small_faces_;
+            return;
+        }
+        work_ += face_.size() / 8;
+        ObjPart& part = part_of_face();
+        for (std::size_t i = 2; i < face_.size(); ++i) {
+            const ObjCorner &a = face_[0], &b = face_[i - 1], &c = face_[i];
+            part.triangles.push_back({a.vertex, b.vertex, c.vertex});
+            if (!has_normals && group_ == 0) continue;
+            part.normals.resize(part.triangles.size() - 1, {CornerValues::k_none, 0, 0});
+            part.normals.push_back(has_normals ? TriangleCorners{a.normal, b.normal, c.normal}
+                                               : TriangleCorners{CornerValues::k_none, group_, 0});
+        }
+    }
+    bool read_corner(ObjCorner& corner) {
+        ObjIndices indices;
+        if (!read_obj_indices(words_.found(), indices))
+            return expected("a corner, as `1`, `1/2`, `1//3` or `1/2/3`, of numbers that are not 0");
+        const std::size_t vertices = data_.positions.size(), normals = data_.normals.size();
+        if (!vertex_numbers_.resolve(indices.vertex, vertices, words_, corner.vertex))
+            return too_negative("vertex", vertices);
+        return indices.normal == 0 ||
+               normal_numbers_.resolve(indices.normal, normals, words_, corner.normal) ||
+               too_negative("normal", normals);
+    }
+    bool too_negative(std::string_view what, std::size_t count) {
+        return error(
+            fmt::format("expected the number of a {} before this line, of which there are {}, found {}", what,
+                        count, quoted(words_.found())));
+    }
+
+    ObjPart& part_of_face() {
+        if (part_ == k_none) {
+            const auto [found, is_new] =
+                part_numbers_.try_emplace(material_, static_cast<std::uint32_t>(data_.parts.size()));
+            part_ = found->second;
+            if (is_new) {
+                ObjPart part;
+                part.material = material_;
+                part.usemtl = usemtl_;
+                part.usemtl_length = std::max<std::size_t>(material_.size(), 1);
+                part.place = {words_.line(), 1, text_.file};
+                part.name = name();
+                data_.parts.push_back(std::move(part));
+            }
+        }
+        ObjPart& part = data_.parts[part_];
+        if (!part.name.empty() && part.name != name()) part.name.clear();
+        return part;
+    }
+    const std::string& name() const { return object_name_.empty() ? group_name_ : object_name_; }
+
+    void use_material() {
+        if (words_.rest().empty()) {
+            expected("the name of a material");
+        } else if (!is_one_mesh_) {
+            material_ = std::string(words_.found());
+            usemtl_ = words_.start();
+            part_ = k_none;
+        }
+    }
+
+    // Groups are numbered in the order of their first use, from 1.
+    void read_group() {
+        const std::string_view word = words_.next();
+        if (word.empty()) {
+            expected("a smoothing group, or `off`");
+        } else if (word == "off" || word.find_first_not_of('0') == std::string_view::npos) {
+            group_ = 0;
+        } else {
+            const auto next = static_cast<std::uint32_t>(groups_.size() + 1);
+            group_ = groups_.try_emplace(std::string(word), next).first->second;
+        }
+    }
+
+    // No file with another name is opened.
+    void read_libraries() {
+        if (is_one_mesh_) return;
+        const std::string_view names = words_.rest();
+        if (names.empty()) expected("the name of a file");
+        for (const std::string_view name : library_names(names)) {
+            const std::size_t at = words_.start() + static_cast<std::size_t>(name.data() - names.data());
+            if (name.ends_with(k_mtl_extension)) {
+                read_library(std::string(name), at);
+            } else {
+                reading_.diagnostics.warn(
+                    text_.place, at, name.size(),
+                    fmt::format("{}: expected the name of a file that ends in .mtl", quoted(name)));
+            }
+        }
+    }
+    void read_library(const std::string& name, std::size_t at) {
+        Token token;
+        token.offset = at;
+        token.length = name.size();
+        const auto library =
+            open_optional_text(reading_, text_, token, name, "its materials are glint's default one");
+        if (!library) {
+            is_library_missing_ = true;
+        } else if (libraries_.try_emplace(library->file).second) {
+            read_mtl(reading_, *library, materials_);
+        }
+    }
+
+    void add_shapes() {
+        Scene& scene = reading_.scene;
+        ObjMeshes meshes(data_, reading_, text_.place);
+        std::uint64_t uncounted = 0;  // triangles: counting takes the time of all meshes
+        for (ObjPart& part : data_.parts) {
+            uncounted += part.triangles.size();
+            std::shared_ptr<const MeshData> mesh = meshes.make(part);
+            if (!mesh) return;
+            const auto index = static_cast<std::uint32_t>(scene.meshes.size());
+            scene.meshes.push_back(std::move(mesh));
+            note(scene.shape_texts, scene.shapes.size(), part.place, part.name);
+            scene.add(Mesh{index}, add_material(part));
+            if (uncounted > 65536) {
+                if (!go_on()) return;
+                uncounted = 0;
+            }
+        }
+        if (undefined_ > 0) {
+            const ObjPart& part = data_.parts[first_undefined_];
+            const std::string others = undefined_ > 1 ? fmt::format(", and {} others", undefined_ - 1) : "";
+            reading_.diagnostics.warn(
+                text_.place, part.usemtl, part.usemtl_length,
+                fmt::format("no .mtl has the material {}{}: glint's default one is used",
+                            quoted(part.material), others));
+        }
+        if (!text_.is_included) reading_.is_mesh_alone = true;
+        (void)go_on();
+    }
+    std::uint32_t add_material(const ObjPart& part) {
+        if (part.material.empty()) return k_none;
+        const auto found = materials_.find(part.material);
+        if (found == materials_.end()) {
+            // A file that is missing has been reported.
+            if (!is_library_missing_ && undefined_++ == 0)
+                first_undefined_ = static_cast<std::size_t>(&part - data_.parts.data());
+            return k_none;
+        }
+        Scene& scene = reading_.scene;
+        note(scene.material_texts, scene.materials.size(), found->second.place, part.material);
+        scene.materials.push_back(found->second.material);
+        if (!text_.is_included) reading_.mesh_ambient_light = k_obj_ambient_light;
+        return static_cast<std::uint32_t>(scene.materials.size() - 1);
+    }
+
+    LoadState& reading_;
+    const ReadText& text_;
+    const bool is_one_mesh_;
+    LineWords words_;
+    ObjData data_;
+    ObjNumbers vertex_numbers_, normal_numbers_;
+    CountedVector<ObjCorner> face_;
+    std::uint64_t small_faces_ = 0, work_ = 0;
+    std::string object_name_, group_name_, material_;
+    std::size_t usemtl_ = 0;  // offset of the name of the material
+    std::uint32_t part_ = k_none, group_ = 0;
+    CountedMap<std::string, std::uint32_t> part_numbers_, groups_;
+    CountedMap<std::uint16_t, bool> libraries_;  // those that have been read
+    MtlMaterials materials_;
+    bool is_library_missing_ = false;
+    std::size_t undefined_ = 0, first_undefined_ = 0;
+};
+
+}  // namespace
+
+std::shared_ptr<const MeshData> read_obj_mesh(LoadState& reading, InputText where) {
+    return ObjReader(reading, ReadText{where}, true).read_mesh();
+}
+
+void read_obj(LoadState& reading, const ReadText& text) { ObjReader(reading, text, false).read_scene(); }
+
+}  // namespace glint
