@@ -11,19 +11,32 @@ namespace {
 // The normals of a file's smoothing groups. Each belongs to a vertex and a group.
 class GroupNormals {
   public:
-    explicit GroupNormals(const ObjData& data) : data_(data) {}
+    explicit GroupNormals(const ObjData& data) : data_(data), by_vertex_(data.positions.size() + 1) {}
 
-    void add_corner(std::uint32_t vertex, std::uint32_t group) { keys_.push_back(key(vertex, group)); }
+    // Most vertices are in one group: what repeats the last group of its vertex is not stored.
+    void add_corner(std::uint32_t vertex, std::uint32_t group) {
+        if (by_vertex_[vertex] == group) return;
+        by_vertex_[vertex] = group;
+        keys_.push_back(key(vertex, group));
+    }
     // Sorted lists, because numbers can be chosen that make hash tables slow.
     void sort() {
         std::sort(keys_.begin(), keys_.end());
         keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
         sums_.resize(keys_.size());
+        std::uint32_t at = 0;
+        for (std::size_t vertex = 0; vertex < by_vertex_.size(); ++vertex) {
+            while (at < keys_.size() && keys_[at] >> 32 < vertex) ++at;
+            by_vertex_[vertex] = at;
+        }
     }
     std::size_t size() const { return sums_.size(); }
     std::uint32_t find(std::uint32_t vertex, std::uint32_t group) const {
-        const auto found = std::lower_bound(keys_.begin(), keys_.end(), key(vertex, group));
-        return static_cast<std::uint32_t>(found - keys_.begin());
+        const std::uint64_t* const keys = keys_.data();
+        return static_cast<std::uint32_t>(std::lower_bound(keys + by_vertex_[vertex],
+                                                           keys + by_vertex_[std::size_t{vertex} + 1],
+                                                           key(vertex, group)) -
+                                          keys);
     }
     void add_triangle(const TriangleCorners& t, std::uint32_t group) {
         const Vec3 &a = data_.positions[t[0]], &b = data_.positions[t[1]], &c = data_.positions[t[2]];
@@ -47,7 +60,8 @@ class GroupNormals {
     }
     const ObjData& data_;
     CountedVector<std::uint64_t> keys_;
-    CountedVector<Vec3> sums_;  // by key
+    CountedVector<Vec3> sums_;                // by key
+    CountedVector<std::uint32_t> by_vertex_;  // its last group; once sorted, its first key
 };
 
 template <class Visit> void for_each_smooth(ObjData& data, const Visit& visit) {
@@ -66,7 +80,8 @@ bool smooth_groups(ObjData& data, LoadState& reading, InputText where) {
     for_each_smooth(data, [&](const TriangleCorners&, TriangleCorners&) { ++triangles; });
     if (triangles == 0) return true;
     const std::uint64_t bytes =
-        MemoryBudget::list_bytes(3 * triangles, sizeof(std::uint64_t) + sizeof(Vec3) + sizeof(Float3));
+        MemoryBudget::list_bytes(3 * triangles, sizeof(std::uint64_t) + sizeof(Vec3) + sizeof(Float3)) +
+        MemoryBudget::list_bytes(data.positions.size() + 1, sizeof(std::uint32_t));
     if (!reading.has_room(bytes, where, 0)) return false;
     GroupNormals groups(data);
     for_each_smooth(data, [&](const TriangleCorners& t, TriangleCorners& n) {
