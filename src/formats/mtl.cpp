@@ -30,7 +30,7 @@ struct MtlStatements {
     bool is_mirror() const { return illum >= 3 && illum <= 9; }
     bool is_glass() const { return illum == 4 || illum == 6 || illum == 7 || illum == 9; }
     // Tr has been written as 1 - d and as d: d counts if both are there.
-    double opacity() const { return d ? *d : 1 - tr.value_or(0); }
+    double transparency() const { return d ? 1 - *d : tr.value_or(0); }
 
     Material material() const {
         Material m;
@@ -48,7 +48,7 @@ struct MtlStatements {
             m.mirror = number::min(greatest, 1.0);
             m.mirror_tint = m.specular * (1 / greatest);
         }
-        (is_glass() ? m.transmission : m.transmit) = 1 - opacity();
+        (is_glass() ? m.transmission : m.transmit) = transparency();
         if (is_glass()) m.ior = ni;
         return m;
     }

@@ -49,11 +49,12 @@ class StlText {
 
     std::shared_ptr<const MeshData> read() {
         while (!words_.next_of_text().empty()) {
-            if (!is_keyword(words_.found(), "solid")) return expected("`solid`"), nullptr;
-            words_.rest();
-            if (!read_facets()) return nullptr;
+            if (!read_solid()) return nullptr;
         }
-        if (corners_.empty()) return error("no facets"), nullptr;
+        if (corners_.empty()) {
+            error("no facets");
+            return nullptr;
+        }
         auto mesh = std::make_shared<MeshData>();
         const bool is_merged =
             is_single_ ? merge_vertices(corners_, mesh->single_positions, mesh->triangles, reading_, where_)
@@ -75,7 +76,9 @@ class StlText {
         return is_keyword(words_.next_of_text(), keyword) || expected(fmt::format("`{}`", keyword));
     }
 
-    bool read_facets() {
+    bool read_solid() {
+        if (!is_keyword(words_.found(), "solid")) return expected("`solid`");
+        words_.rest();  // its name
         for (;;) {
             words_.next_of_text();
             if (is_keyword(words_.found(), "endsolid")) {

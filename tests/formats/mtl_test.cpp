@@ -75,7 +75,7 @@ TEST(Mtl, IllumChoosesTheModel) {
         EXPECT_EQ(m.transmit, is_glass ? 0 : 0.25) << illum;
     }
     EXPECT_EQ(material("Ks 4 2 0\nillum 3\n").mirror, 1);
-    EXPECT_EQ(material("Tr 0.25\n").transmit, 0.25);
+    EXPECT_EQ(material("Tr 0.3\n").transmit, 0.3);
     EXPECT_EQ(material("d 1\nTr 1\n").transmit, 0) << "d counts";
     EXPECT_EQ(material("d 0.5\nillum 4\nNi 0\n").ior, 1);
 }
