@@ -96,7 +96,7 @@ struct LoadState {
     std::shared_ptr<GlintMaterials> glint_materials;   ///< created by the first .glint text
     std::shared_ptr<TachyonState> tachyon;             ///< created by the first .dat text
     std::map<std::uint16_t, std::uint32_t> meshes;     ///< in Scene::meshes, by the text's index in `texts`
-    bool is_mesh_alone = false;                        ///< a text of the caller's is a file of a mesh
+    std::optional<std::uint16_t> lone_mesh;            ///< the caller's text that is a file of a mesh
     double mesh_ambient_light = 1;                     ///< what such a scene has if it has no lights
     bool camera_given = false, background_given = false;
     bool camera_included = false, background_included = false;  ///< set by an included text

@@ -8,6 +8,7 @@
 #include "formats/registry.h"
 #include "math/extent.h"
 #include "math/transform.h"
+#include "scene/ranges.h"
 
 namespace glint {
 namespace {
@@ -70,7 +71,7 @@ void read_mesh_text(LoadState& reading, const ReadText& text, MeshReader read) {
     if (!mesh) return;
     const std::uint32_t shape = reading.scene.add(Mesh{*mesh});
     note(reading.scene.shape_texts, shape, {1, 1, text.file});
-    if (!text.is_included) reading.is_mesh_alone = true;
+    if (!text.is_included) reading.lone_mesh = text.file;
 }
 
 std::optional<std::uint32_t> mesh_of_file(LoadState& reading, const ReadText& from, const Token& at,
@@ -90,10 +91,19 @@ std::optional<std::uint32_t> mesh_of_file(LoadState& reading, const ReadText& fr
 void set_mesh_defaults(Scene&) {}
 
 void finish_mesh(LoadState& reading) {
-    if (!reading.is_mesh_alone || reading.diagnostics.any_errors()) return;
-    reading.is_mesh_alone = false;  // this is called for each format of meshes
+    if (!reading.lone_mesh || reading.diagnostics.any_errors()) return;
+    const InputText text = reading.texts[*reading.lone_mesh];
+    reading.lone_mesh.reset();  // this is called for each format of meshes
     Scene& scene = reading.scene;
-    if (!reading.camera_given) place_camera(scene);
+    if (!reading.camera_given) {
+        place_camera(scene);
+        if (!is_coordinate(scene.camera.position)) {
+            reading.diagnostics.error(text, 0, 1,
+                                      "the mesh is so large that a camera which shows all of it is beyond "
+                                      "1e12: expected smaller coordinates, or a camera");
+            return;
+        }
+    }
     if (!scene.lights.empty()) return;
     Light ambient;
     ambient.kind = LightKind::ambient;

@@ -284,7 +284,7 @@ class ObjReader {
                 fmt::format("no .mtl has the material {}{}: glint's default one is used",
                             quoted(part.material), others));
         }
-        if (!text_.is_included) reading_.is_mesh_alone = true;
+        if (!text_.is_included) reading_.lone_mesh = text_.file;
         (void)go_on();
     }
     std::uint32_t add_material(const ObjPart& part) {

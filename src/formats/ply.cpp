@@ -221,6 +221,8 @@ template <class Numbers> class PlyBody {
             if (!k_not_negative.contains(value))
                 return fail(fmt::format("expected a color of at least 0, found {}", value));
         }
+        if (column >= 0 && !k_coordinate.contains(value))
+            return fail(fmt::format("expected {}, found {}", k_coordinate.text, value));
         if (column >= 0) values[column] = value;
         return true;
     }

@@ -166,6 +166,7 @@ TEST(Obj, MistakesAreReportedAtTheirPlace) {
     expect_error("f 1//1 2//1 3//2\nvn 0 0 1\n",
                  "a.obj:5:13: error: expected the number of a normal from 1 to 1, found 2");
     expect_error("f 1//-1 2 3\n", "a.obj:5:3: error: expected the number of a normal before");
+    expect_error("v 1e12 0 0\nf 1 2 5\n", "a.obj:1:1: error: the mesh is so large that a camera");
     expect_error("f 1 2\n", "no faces with three vertices");
     expect_error("", "no faces with three vertices");
     expect_error("s\n", "a.obj:5:2: error: the line ends here: expected a smoothing group, or `off`");
