@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "formats/mistakes.h"
+#include "glint/write.h"
 #include "math/transform.h"
 
 namespace glint::test {

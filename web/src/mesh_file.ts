@@ -2,7 +2,7 @@
 // Files of meshes, which a scene refers to, or which are opened as a scene of their own.
 import type {SceneText} from 'glint-wasm';
 
-export const meshExtensions = ['ply'];
+export const meshExtensions = ['ply', 'stl', 'obj'];
 const meshes = new RegExp(`\\.(${meshExtensions.join('|')})$`, 'i');
 
 export const isMeshName = (name: string) => meshes.test(name);

@@ -37,6 +37,7 @@ export function fileFor(name: string, files: readonly SceneText[]): SceneText | 
  */
 export function namesIncludedBy({name, text}: SceneText, main = name): string[] {
     const folder = folderOf(/\.(pov|inc)$/i.test(name) ? main : name);
+    if (/\.obj$/i.test(name)) return [...text.matchAll(/^mtllib\s+(.+?)\s*$/gm)].map(([, said]) => folder + said!);
     const words = /\.glint$/i.test(name) ? /(?:^|[\s{])(?:include\s+|file\s*=\s*)"([^"\n]+)"/g : /(?:^|[\s#])include\s+"([^"\n]+)"/g;
     return [...text.matchAll(words)].map(([, said]) => (said!.startsWith('/') ? said! : folder + said!));
 }
