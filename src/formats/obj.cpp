@@ -12,6 +12,7 @@
 #include "formats/mtl.h"
 #include "formats/obj_data.h"
 #include "formats/obj_index.h"
+#include "formats/obj_shapes.h"
 #include "formats/registry.h"
 #include "scene/ranges.h"
 
@@ -19,8 +20,6 @@ namespace glint {
 namespace {
 
 constexpr std::size_t k_max_face_corners = 1'000'000;
-// Of a scene that has no lights. Programs write a Ka that is as bright as Kd, or white.
-constexpr double k_obj_ambient_light = 0.1;
 
 // What has no surface, and the statements that belong to it.
 constexpr std::string_view k_curves[] = {"p",    "l",    "curv", "curv2", "surf", "parm", "trim",
@@ -40,7 +39,7 @@ class ObjReader {
         return read() ? ObjMeshes(data_, reading_, text_.place).make(data_.parts[0]) : nullptr;
     }
     void read_scene() {
-        if (read()) add_shapes();
+        if (read()) ObjShapes(data_, materials_, is_library_missing_, reading_, text_).add();
     }
 
   private:
@@ -259,50 +258,6 @@ class ObjReader {
         }
     }
 
-    void add_shapes() {
-        Scene& scene = reading_.scene;
-        ObjMeshes meshes(data_, reading_, text_.place);
-        std::uint64_t uncounted = 0;  // triangles: counting takes the time of all meshes
-        for (ObjPart& part : data_.parts) {
-            uncounted += part.triangles.size();
-            std::shared_ptr<const MeshData> mesh = meshes.make(part);
-            if (!mesh) return;
-            const auto index = static_cast<std::uint32_t>(scene.meshes.size());
-            scene.meshes.push_back(std::move(mesh));
-            note(scene.shape_texts, scene.shapes.size(), part.place, part.name);
-            scene.add(Mesh{index}, add_material(part));
-            if (uncounted > 65536) {
-                if (!go_on()) return;
-                uncounted = 0;
-            }
-        }
-        if (undefined_ > 0) {
-            const ObjPart& part = data_.parts[first_undefined_];
-            const std::string others = undefined_ > 1 ? fmt::format(", and {} others", undefined_ - 1) : "";
-            reading_.diagnostics.warn(
-                text_.place, part.usemtl, part.usemtl_length,
-                fmt::format("no .mtl has the material {}{}: glint's default one is used",
-                            quoted(part.material), others));
-        }
-        if (!text_.is_included) reading_.lone_mesh = text_.file;
-        (void)go_on();
-    }
-    std::uint32_t add_material(const ObjPart& part) {
-        if (part.material.empty()) return k_none;
-        const auto found = materials_.find(part.material);
-        if (found == materials_.end()) {
-            // A file that is missing has been reported.
-            if (!is_library_missing_ && undefined_++ == 0)
-                first_undefined_ = static_cast<std::size_t>(&part - data_.parts.data());
-            return k_none;
-        }
-        Scene& scene = reading_.scene;
-        note(scene.material_texts, scene.materials.size(), found->second.place, part.material);
-        scene.materials.push_back(found->second.material);
-        if (!text_.is_included) reading_.mesh_ambient_light = k_obj_ambient_light;
-        return static_cast<std::uint32_t>(scene.materials.size() - 1);
-    }
-
     LoadState& reading_;
     const ReadText& text_;
     const bool is_one_mesh_;
@@ -318,7 +273,6 @@ class ObjReader {
     CountedMap<std::uint16_t, bool> libraries_;  // those that have been read
     MtlMaterials materials_;
     bool is_library_missing_ = false;
-    std::size_t undefined_ = 0, first_undefined_ = 0;
 };
 
 }  // namespace

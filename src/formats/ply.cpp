@@ -8,56 +8,13 @@
 
 #include "base/text.h"
 #include "formats/mesh_file.h"
+#include "formats/ply_columns.h"
 #include "formats/ply_header.h"
 #include "formats/ply_numbers.h"
 #include "formats/registry.h"
 
 namespace glint {
 namespace {
-
-// What a property of a vertex becomes: a coordinate of the position or of the normal, a channel of the color,
-// or nothing. Of a face, only the color is used.
-constexpr int k_normal_column = 3, k_color_column = 6, k_ply_columns = 9;
-int ply_column(std::string_view name) {
-    constexpr std::string_view names[k_ply_columns] = {"x",  "y",   "z",     "nx",  "ny",
-                                                       "nz", "red", "green", "blue"};
-    if (name.starts_with("diffuse_")) name.remove_prefix(8);
-    const auto found = std::find(std::begin(names), std::end(names), name);
-    return found == std::end(names) ? -1 : static_cast<int>(found - names);
-}
-
-// The columns of an element's properties.
-std::vector<int> columns_of(const PlyElement& element) {
-    std::vector<int> columns;
-    for (const PlyProperty& p : element.properties) columns.push_back(p.count_type ? -1 : ply_column(p.name));
-    return columns;
-}
-
-bool has_colors(const PlyElement& element) {
-    const std::vector<int> columns = columns_of(element);
-    for (int channel = k_color_column; channel < k_ply_columns; ++channel) {
-        if (std::find(columns.begin(), columns.end(), channel) == columns.end()) return false;
-    }
-    return true;
-}
-
-// The number that stands for a full channel: files have whole numbers of bytes, even in larger types.
-double full_channel(PlyType type) {
-    switch (type) {
-        case PlyType::float32:
-        case PlyType::float64:
-            return 1;
-        case PlyType::uint16:
-            return 65535;
-        case PlyType::int8:
-        case PlyType::uint8:
-        case PlyType::int16:
-        case PlyType::int32:
-        case PlyType::uint32:
-            return 255;
-    }
-    return 255;
-}
 
 // Whether every number of the type is one of single precision.
 bool is_single(PlyType type) {

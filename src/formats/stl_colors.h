@@ -2,7 +2,6 @@
 #pragma once
 // The two conventions for the colors of triangles in a binary .stl, which have 5 bits for each channel.
 #include <cstdint>
-#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -20,10 +19,11 @@ class StlColors {
         const auto channel = [&](std::size_t i) {
             return static_cast<float>(static_cast<unsigned char>(header[at + word.size() + i])) / 255;
         };
-        default_ = Float3{channel(0), channel(1), channel(2)};
+        default_ = {channel(0), channel(1), channel(2)};
+        has_default_ = true;
     }
 
-    bool has_default() const { return default_.has_value(); }
+    bool has_default() const { return has_default_; }
     /// By the triangle's two bytes of attributes. Magics: bit 15 is set if the triangle has the color of the
     /// header. Others (VisCAM, SolidView): it is set if the triangle has a color.
     bool is_colored(std::uint16_t attribute) const { return has_default() || (attribute & k_flag) != 0; }
@@ -38,7 +38,7 @@ class StlColors {
         if (numbers_[bits] == CornerValues::k_none) {
             numbers_[bits] = static_cast<std::uint32_t>(values.size());
             const float low = channel(bits), middle = channel(bits >> 5), high = channel(bits >> 10);
-            values.push_back(is_default      ? *default_
+            values.push_back(is_default      ? default_
                              : has_default() ? Float3{low, middle, high}
                                              : Float3{high, middle, low});
         }
@@ -49,7 +49,8 @@ class StlColors {
     static constexpr std::uint32_t k_flag = 1u << 15;
     static float channel(std::uint32_t bits) { return static_cast<float>(bits & 31u) / 31; }
 
-    std::optional<Float3> default_;
+    bool has_default_ = false;
+    Float3 default_;
     std::vector<std::uint32_t> numbers_;  // by the 15 bits; the last one is that of the default
 };
 
