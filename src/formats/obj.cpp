@@ -20,6 +20,7 @@ namespace glint {
 namespace {
 
 constexpr std::size_t k_max_face_corners = 1'000'000;
+constexpr std::size_t k_max_library_names = 1000;  // each may be looked for in several folders
 
 // What has no surface, and the statements that belong to it.
 constexpr std::string_view k_curves[] = {"p",    "l",    "curv", "curv2", "surf", "parm", "trim",
@@ -235,6 +236,11 @@ class ObjReader {
         const std::string_view names = words_.rest();
         if (names.empty()) expected("the name of a file");
         for (const std::string_view name : library_names(names)) {
+            if (++library_names_ > k_max_library_names) {
+                warn_once("obj libraries",
+                          fmt::format("only the first {} .mtl files are read", k_max_library_names));
+                return;
+            }
             const std::size_t at = words_.start() + static_cast<std::size_t>(name.data() - names.data());
             if (name.ends_with(k_mtl_extension)) {
                 read_library(std::string(name), at);
@@ -272,6 +278,7 @@ class ObjReader {
     CountedMap<std::string, std::uint32_t> part_numbers_, groups_;
     CountedMap<std::uint16_t, bool> libraries_;  // those that have been read
     MtlMaterials materials_;
+    std::size_t library_names_ = 0;
     bool is_library_missing_ = false;
 };
 

@@ -144,6 +144,11 @@ TEST(Mtl, WhatIsMissingIsAWarning) {
                   "a.obj:1:8: warning: '/etc/hosts': expected the name of a file that ends in .mtl"),
               std::string::npos);
     EXPECT_EQ(libraries.opened, "a.mtl;b.mtl;") << "no other file is opened";
+    Libraries many{};
+    std::string names = "mtllib";
+    for (int i = 0; i < 1500; ++i) names += " " + std::to_string(i) + ".mtl";
+    EXPECT_TRUE(load_text(names + "\n" + faces, "a.obj", {}, &many));
+    EXPECT_EQ(std::count(many.opened.begin(), many.opened.end(), ';'), 1000);
 }
 
 TEST(Mtl, WhatIsNotDrawnIsNamedOnce) {
