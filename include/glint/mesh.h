@@ -17,6 +17,9 @@ struct Float3 {
     friend bool operator==(const Float3&, const Float3&) = default;
 };
 constexpr Vec3 to_vec3(const Float3& f) { return {f.x, f.y, f.z}; }
+constexpr Float3 to_single(const Vec3& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
 
 /// The numbers of a triangle's three vertices, or of the values at them.
 using TriangleCorners = std::array<std::uint32_t, 3>;

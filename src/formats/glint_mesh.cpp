@@ -12,10 +12,6 @@ namespace {
 constexpr Range k_vertex{0, 4294967294.0, false, false, "a whole number from 0 to 4294967294"};
 constexpr Range k_value{-1, 4294967294.0, false, false, "a whole number from 0 to 4294967294, or -1"};
 
-Float3 to_single(Vec3 v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
 }  // namespace
 
 bool MeshText::read_key(int field, const Token& key) {

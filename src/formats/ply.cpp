@@ -159,12 +159,12 @@ template <class Numbers> class PlyBody {
                 if (!read_column(element_->properties[i], columns[i], v)) return false;
             }
             if (single) {
-                mesh.single_positions.push_back(to_single(v));
+                mesh.single_positions.push_back(single_of(v));
             } else {
                 mesh.positions.push_back({v[0], v[1], v[2]});
             }
-            if (has_normals) mesh.normals.values.push_back(to_single(v + k_normal_column));
-            if (is_colored) mesh.colors.values.push_back(to_single(v + k_color_column));
+            if (has_normals) mesh.normals.values.push_back(single_of(v + k_normal_column));
+            if (is_colored) mesh.colors.values.push_back(single_of(v + k_color_column));
         }
         return !reading_.diagnostics.full();
     }
@@ -183,7 +183,7 @@ template <class Numbers> class PlyBody {
         if (column >= 0) values[column] = value;
         return true;
     }
-    static Float3 to_single(const double* v) {
+    static Float3 single_of(const double* v) {
         return {static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2])};
     }
 
@@ -213,7 +213,7 @@ template <class Numbers> class PlyBody {
                 const PlyProperty& p = element_->properties[i];
                 if (&p == corners ? !read_face(p, vertices) : !read_column(p, columns[i], v)) return false;
             }
-            if (is_colored) add_face_color(to_single(v + k_color_column));
+            if (is_colored) add_face_color(single_of(v + k_color_column));
         }
         return !reading_.diagnostics.full();
     }

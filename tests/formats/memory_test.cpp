@@ -74,9 +74,6 @@ TEST(PovrayLimits, EndShortTextsThatTakeLong) {
          "more than 4000"},
         {"#declare S = \"abcdefgh\"; #for(I, 1, 13) #declare S = concat(S, S); #end #while(S = S) #end",
          "tokens were read again"},
-        {"#declare M = mesh2 { vertex_vectors { 100000 #for(I, 1, 100000) x, #end } } "
-         "union { #for(I, 1, 100000) M #end }",
-         "tokens were read again"},
         {"mesh { #for(I, 1, 100000) triangle { <I, 0, 0>, x, y } #end #while(1) clipped_by { box { -1, 1 } } "
          "#end }",
          "tokens were read again"},

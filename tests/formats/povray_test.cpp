@@ -189,18 +189,6 @@ TEST(PovRay, FinishesHaveBothHighlightsAndMetals) {
     EXPECT_EQ(b.mirror_falloff, 0);
 }
 
-TEST(PovRay, MeshesBecomeTriangles) {
-    const Scene scene = povray_scene(
-        "mesh2 { vertex_vectors { 4, 0, x, y, <1, 1, 0> } normal_vectors { 4, z z z z }\n"
-        "  texture_list { 2, texture { pigment { rgb <1, 0, 0> } }, texture { pigment { rgb <0, 1, 0> } } }\n"
-        "  face_indices { 2, <0, 1, 2>, 1, <1, 3, 2>, 0 } translate 2*z }\n"
-        "mesh { triangle { 0, x, y } smooth_triangle { 0, z, x, z, y, z } pigment { rgb 1 } }\n");
-    ASSERT_EQ(scene.get<SmoothTriangle>().size(), 3u);
-    EXPECT_EQ(scene.get<SmoothTriangle>()[0].vertices[0], (Vec3{0, 0, 2}));
-    EXPECT_EQ(scene.materials.at(scene.shapes.at(0).material).color, (Color{0, 1, 0}));
-    EXPECT_EQ(scene.get<Triangle>().size(), 1u);
-}
-
 TEST(PovRay, AnIncludeIsReadBeforeWhatFollowsIt) {
     TextSources sources(std::map<std::string, std::string, std::less<>>{
         {"b.inc", "sphere { <1, 2, 3>, 1 }\n#declare R = 4;"}});
@@ -211,18 +199,6 @@ TEST(PovRay, AnIncludeIsReadBeforeWhatFollowsIt) {
         EXPECT_EQ(scene.get<Sphere>()[0].radius, 1);
         EXPECT_EQ(scene.get<Sphere>()[1].radius, 4);
     }
-}
-
-TEST(PovRay, MeshesAreCutByBoxes) {
-    const Scene scene = povray_scene(
-        "mesh2 { vertex_vectors { 3, 0, 2*x, 2*y } face_indices { 1, <0, 1, 2> }\n"
-        "  clipped_by { box { -1, 1 } } }");
-    EXPECT_EQ(scene.get<Triangle>().size(), 2u) << "a quadrangle: the corner square without the corner";
-    for (const Triangle& t : scene.get<Triangle>()) {
-        for (const Vec3& v : t.vertices) EXPECT_LE(v.x, 1 + k_pov_near);
-    }
-    // A box that holds the whole shape cuts nothing.
-    EXPECT_EQ(povray_scene("sphere { 0, 1 clipped_by { box { -2, 2 } } }").shapes.size(), 1u);
 }
 
 TEST(PovRay, TheCameraIsLeftHandedAndAppliedAtItsEnd) {
@@ -297,12 +273,12 @@ TEST(PovRay, ObjectsHaveInteriors) {
                       mesh = "mesh { triangle { x, y, z } triangle { x, y, 0 } } ";
     EXPECT_EQ(interiors_of(two), (List{0, 0}));
     EXPECT_EQ(interiors_of("sphere { x, 1 hollow } sphere { x, 1 hollow off }"), (List{-1, 0}));
-    EXPECT_EQ(interiors_of(mesh + mesh), (List{1, 1, 2, 2}));
-    EXPECT_EQ(interiors_of("triangle { x, y, z } " + mesh + "triangle { x, y, z }"), (List{0, 1, 1, 0}));
+    EXPECT_EQ(interiors_of(mesh + mesh), (List{1, 2}));
+    EXPECT_EQ(interiors_of("triangle { x, y, z } " + mesh + "triangle { x, y, z }"), (List{0, 1, 0}));
     EXPECT_EQ(interiors_of("union { " + two + "} union { " + two + "hollow }"), (List{1, 1, -1, -1}));
-    EXPECT_EQ(interiors_of("union { union { " + two + "} " + mesh + "}"), (List{1, 1, 1, 1}));
+    EXPECT_EQ(interiors_of("union { union { " + two + "} " + mesh + "}"), (List{1, 1, 1}));
     EXPECT_EQ(interiors_of("union { union { " + two + "} " + mesh + " interior { ior 1 } }"),
-              (List{1, 1, 1, 1}));
+              (List{1, 1, 1}));
     EXPECT_EQ(interiors_of("union { sphere { x, 1 interior { ior 1 } } " + two + "}"), (List{0, 1, 1}));
     EXPECT_EQ(interiors_of("union { union { " + two + "interior { ior 1 } } " + two + "}"),
               (List{2, 2, 1, 1}));

@@ -37,7 +37,37 @@ def mesh2(transform=""):
             f"face_indices {{ 1, <0, 1, 2> }} {transform} {SHINE} }}\n")
 
 
+# A fan of four faces, with textures that differ in color, and a gray one with highlights.
+FAN = ("mesh2 {{ vertex_vectors {{ 5, <-1.5, 0, 0>, <0, 2, 0.4>, <1.5, 0, 0>, <0, -1, 0.5>, <0, 0.6, -0.6> }} {normals}\n"
+       "texture_list {{ 4, {textures} }}\n"
+       "face_indices {{ 4, {faces} }} {items} }}\n")
+FAN_NORMALS = "normal_vectors { 5, <-1, 0, -1>, <0, 3, -1>, <0.5, 0, -1>, <0, -1, -1>, -z }"
+BY_CORNER = "<0, 1, 4>, 0, 1, 2, <1, 2, 4>, 1, 3, 2, <2, 3, 4>, 3, 0, 2, <3, 0, 4>, 0, 0, 2"
+BY_FACE = "<0, 1, 4>, 0, <1, 2, 4>, 1, <2, 3, 4>, 3, <3, 0, 4>, 2"
+
+
+def fan(faces, finish, normals=FAN_NORMALS, items="", colors=("<0.9, 0.2, 0.1>", "<0.1, 0.8, 0.2>", "1", "<0.1, 0.3, 0.9>")):
+    return FAN.format(normals=normals, faces=faces, items=items, textures=" ".join(
+        f"texture {{ pigment {{ color rgb {c} }} finish {{ {finish} }} }}" for c in colors))
+
+
+PHONG = "ambient 0.3 diffuse 0.5 specular 0.6 roughness 0.03 phong 0.3"
 RULES = [
+    rule("mesh_colors", fan(BY_CORNER, PHONG)),
+    rule("mesh_colors_flat", FLOOR + fan(BY_CORNER, "ambient 0.2 diffuse 0.9", normals="")),
+    rule("mesh_colors_metallic", fan(BY_CORNER, "phong 0.8 metallic brilliance 2 reflection { 0.3 metallic }")),
+    rule("mesh_colors_scaled", fan(BY_CORNER, PHONG, items="scale <0.8, 1, 3> rotate 20*y")),
+    rule("mesh_colors_transmit", FLOOR + fan(BY_CORNER, PHONG, colors=(
+        "<0.9, 0.2, 0.1> transmit 0.4", "<0.1, 0.8, 0.2> transmit 0.4", "1 transmit 0.4", "0 transmit 0.4"))),
+    rule("mesh_colors_emission", fan(BY_CORNER, "emission 0.4 diffuse 0.6"), head="#version 3.7;\n" + CAMERA + LIGHT),
+    rule("mesh_colors_ambient", fan(BY_CORNER, "ambient <0.1, 0.5, 0.3>")),
+    rule("mesh_textures", fan(BY_FACE, PHONG)),
+    rule("mesh_copies", "#declare M = " + fan(BY_CORNER, PHONG) + "".join(
+        f"object {{ M scale <0.4, {s}, 0.5> rotate {30 * s}*z translate <{s - 1.5}, {0.4 * s}, 0> }}\n" for s in (0.3, 0.8, 1.6, 2.3))),
+    rule("mesh_single_faces", "".join(
+        f"mesh2 {{ vertex_vectors {{ 3, <{x}, 0, 0>, <{x + 1}, 0, 0.3>, <{x}, 1.5, 0> }} normal_vectors {{ 3, <-1, 0, -2>, <1, 0, -1>, <0, 1, -2> }}\n"
+        f"texture_list {{ 3, texture {{ pigment {{ rgb {c} }} }} texture {{ pigment {{ rgb 0.9 }} }} texture {{ pigment {{ rgb y }} }} }}\n"
+        "face_indices { 1, <0, 1, 2>, 0, 1, 2 } }\n" for x, c in ((-2, "x"), (-0.8, "z"), (0.5, "<1, 1, 0>")))),
     sky("gradient", f"pigment {{ gradient y {MAP} }}"),
     sky("one_period", f"pigment {{ gradient y {MAP.replace('[0', '[0.3').replace('[1', '[0.8')} scale 2 translate -1 }}"),
     sky("turned", f"pigment {{ gradient <1, 2, 0> {MAP} scale 0.9 rotate 30*z }} rotate <10, 20, 30>"),

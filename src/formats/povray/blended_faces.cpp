@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faces of meshes with a texture at each corner: as small triangles of one color.
+// Faces of meshes whose textures at the corners differ in more than color, or have light that is not linear
+// in their color: as small triangles of one color.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,12 +27,20 @@ bool same_light(const Finish& a, const Finish& b) {
 
 // The three textures of a face are blended between its corners: by parts of one color each, whose colors
 // differ by at most 1.5 of 255, or more if the three corners have very different ones.
-void SceneBuilder::add_blended_face(const Object& o, const Inherited& own, const Mesh::Face& face,
-                                    std::span<const Vec3> points, std::span<const Vec3> normals) {
-    const Mesh& mesh = *o.mesh;
+void SceneBuilder::add_blended_face(const Object& o, const Inherited& own, std::uint32_t face) {
+    const ReadMesh& mesh = *o.mesh;
     std::array<const Texture*, 3> textures{};
+    std::array<Vec3, 3> points{}, normals{};
+    const bool is_smooth = ReadMesh::has(mesh.normal_corners, face);
     double most = 0;
-    for (std::size_t i = 0; i < 3; ++i) textures[i] = mesh.textures[face.textures[i]].get();
+    for (std::size_t i = 0; i < 3; ++i) {
+        textures[i] = mesh.textures[mesh.texture_corners[face][i]].get();
+        points[i] = to_vec3(mesh.vertices[mesh.triangles[face][i]]);
+        if (is_smooth) normals[i] = to_vec3(mesh.normals[mesh.normal_corners[face][i]]);
+    }
+    std::optional<Affine> object_from_world;
+    if (own.map && !(object_from_world = inverse(*own.map)))
+        return stream_.error(o.at, "the mesh's transform leaves nothing of it");
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t k = 0; k < 5; ++k) {
             const double d = textures[i]->pigment.color[k] - textures[(i + 1) % 3]->pigment.color[k];
@@ -46,10 +55,6 @@ void SceneBuilder::add_blended_face(const Object& o, const Inherited& own, const
                     stream_.call_place(o.at)});
         }
     }
-    const auto corner = [&](std::span<const Vec3> from, const std::array<std::uint32_t, 3>& of,
-                            const CornerWeights& w) {
-        return mixed(from[of[0]], from[of[1]], from[of[2]], w);
-    };
     using Corners = std::array<CornerWeights, 3>;
     // colors: the part's color is their mean.
     const auto add_part = [&](const Corners& corners, const Corners& colors) {
@@ -57,8 +62,12 @@ void SceneBuilder::add_blended_face(const Object& o, const Inherited& own, const
         texture.pigment.color.fill(0);
         SmoothTriangle part;
         for (std::size_t k = 0; k < 3; ++k) {
-            part.vertices[k] = corner(points, face.vertices, corners[k]);
-            if (face.has_normals) part.normals[k] = corner(normals, face.normals, corners[k]);
+            part.vertices[k] = mixed(points[0], points[1], points[2], corners[k]);
+            part.normals[k] = mixed(normals[0], normals[1], normals[2], corners[k]);
+            if (own.map) {
+                part.vertices[k] = transform_point(*own.map, part.vertices[k]);
+                part.normals[k] = transform_normal(*object_from_world, part.normals[k]);
+            }
             for (std::size_t c = 0; c < 5; ++c) {
                 const auto at = [&](std::size_t i) { return textures[i]->pigment.color[c]; };
                 texture.pigment.color[c] += mixed(at(0), at(1), at(2), colors[k]) / 3;
@@ -67,7 +76,7 @@ void SceneBuilder::add_blended_face(const Object& o, const Inherited& own, const
         Inherited part_own = own;
         part_own.texture = &texture;
         const std::uint32_t material = material_of(part_own, o.at);
-        if (face.has_normals) {
+        if (is_smooth) {
             add(part, material, nullptr, o.at);
         } else {
             add(Triangle{{part.vertices[0], part.vertices[1], part.vertices[2]}}, material, nullptr, o.at);

@@ -49,8 +49,10 @@ Bounds own_bounds(const Object& object) {
             out.add(object.c);
             break;
         case ObjectKind::mesh:
+            for (const Float3& p : object.mesh->vertices) out.add(to_vec3(p));
+            break;
         case ObjectKind::polygon:
-            for (const Vec3& p : object.mesh->vertices) out.add(p);
+            for (const Vec3& p : *object.outline) out.add(p);
             break;
         default:
             out.is_known = false;

@@ -94,14 +94,18 @@ bool clip_mesh(const Object& clip, Object& object) {
     const std::vector<HalfSpace> halves = half_spaces(clip);
     if (object.kind != ObjectKind::mesh || object.map || clip.map || !clip.missing.empty() || halves.empty())
         return false;
-    const Mesh& mesh = *object.mesh;
-    auto cut = make_counted<Mesh>();
+    const ReadMesh& mesh = *object.mesh;
+    auto cut = make_counted<ReadMesh>();
     cut->textures = mesh.textures;
-    for (const Mesh::Face& face : mesh.faces) {
+    for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
+        const bool has_normals = ReadMesh::has(mesh.normal_corners, face);
+        const bool has_texture = ReadMesh::has(mesh.texture_corners, face);
+        const TriangleCorners textures = has_texture ? mesh.texture_corners[face] : TriangleCorners{};
+        const bool has_textures = textures[0] != textures[1] || textures[0] != textures[2];
         std::vector<Corner> corners;
         for (std::size_t i = 0; i < 3; ++i) {
-            corners.push_back({mesh.vertices[face.vertices[i]],
-                               face.has_normals ? mesh.normals[face.normals[i]] : Vec3{0, 0, 0}});
+            corners.push_back({to_vec3(mesh.vertices[mesh.triangles[face][i]]),
+                               has_normals ? to_vec3(mesh.normals[mesh.normal_corners[face][i]]) : Vec3{}});
         }
         const std::size_t whole = corners.size();
         bool is_cut = false;
@@ -109,19 +113,19 @@ bool clip_mesh(const Object& clip, Object& object) {
             for (const Corner& c : corners) is_cut = is_cut || dot(half.n, c.point) > half.d;
             if (is_cut) corners = part_in(corners, half);
         }
-        if (is_cut && face.has_textures && corners.size() >= whole) return false;  // three colors to blend
+        if (is_cut && has_textures && corners.size() >= whole) return false;  // three colors to blend
         for (std::size_t i = 2; i < corners.size(); ++i) {
-            Mesh::Face part = face;
             const auto first = static_cast<std::uint32_t>(cut->vertices.size());
+            const TriangleCorners part{first, first + 1, first + 2};
             for (const std::size_t k : {std::size_t{0}, i - 1, i}) {
-                cut->vertices.push_back(corners[k].point);
-                cut->normals.push_back(corners[k].normal);
+                cut->vertices.push_back(to_single(corners[k].point));
+                cut->normals.push_back(to_single(corners[k].normal));
             }
-            part.vertices = part.normals = {first, first + 1, first + 2};
-            cut->faces.push_back(part);
+            if (has_normals) ReadMesh::set(cut->normal_corners, cut->triangles.size(), part);
+            if (has_texture) ReadMesh::set(cut->texture_corners, cut->triangles.size(), textures);
+            cut->triangles.push_back(part);
         }
     }
-    object.count = std::max<std::uint64_t>(cut->faces.size(), 1);
     object.mesh = std::move(cut);
     return true;
 }

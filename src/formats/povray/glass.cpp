@@ -45,7 +45,9 @@ void SceneBuilder::check_glass() {
         const bool is_alone =
             tests <= k_max_tests &&
             std::none_of(scene_.shapes.begin(), scene_.shapes.end(), [&](const Shape& shape) {
-                return &shape != &glass && is_clear(shape) && !are_apart(scene_, glass, shape);
+                if (&shape == &glass || !is_clear(shape)) return false;
+                tests += reach_steps(scene_, shape);
+                return tests > k_max_tests || !are_apart(scene_, glass, shape);
             });
         if (!is_alone) return report({"ior", "of transparent objects within each other", glass_at_});
     }

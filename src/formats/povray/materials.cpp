@@ -15,52 +15,63 @@ Color times(const std::array<double, 5>& pigment, Color by) {
 // Whether a shape of the same material has the same warnings: those that the material does not decide are of
 // what these have.
 bool has_nothing_else(const Texture& texture, const Opaque* interior, bool is_merge) {
-    return texture.missing.empty() && !texture.pigment.missing && texture.finish.missing.empty() &&
-           !texture.finish.has_no_refraction && !texture.is_layered && interior == nullptr && !is_merge;
+    return !has_warnings(texture) && interior == nullptr && !is_merge;
 }
 
 double largest(Color c) { return std::max({c.r, c.g, c.b}); }
 
 }  // namespace
 
+TextureNumbers numbers_of(const Texture& texture) {
+    const Finish& f = texture.finish;
+    const std::array<double, 5>& p = texture.pigment.color;
+    return {p[0],
+            p[1],
+            p[2],
+            p[3],
+            p[4],
+            f.ambient.r,
+            f.ambient.g,
+            f.ambient.b,
+            f.diffuse,
+            f.phong,
+            f.phong_size,
+            f.specular,
+            f.roughness,
+            f.emission.r,
+            f.emission.g,
+            f.emission.b,
+            f.brilliance,
+            f.metallic,
+            f.reflection_min.r,
+            f.reflection_min.g,
+            f.reflection_min.b,
+            f.reflection_max.r,
+            f.reflection_max.g,
+            f.reflection_max.b,
+            f.reflection_metallic,
+            f.reflection_falloff,
+            f.crand,
+            f.diffuse_back,
+            f.reflection_exponent,
+            f.reflection_fresnel ? 1.0 : 0.0,
+            f.conserve_energy ? 1.0 : 0.0};
+}
+
+bool has_warnings(const Texture& texture) {
+    return !texture.missing.empty() || texture.pigment.missing || !texture.finish.missing.empty() ||
+           texture.finish.has_no_refraction || texture.is_layered;
+}
+
 std::uint32_t SceneBuilder::material_of(const Inherited& own, const Token& at) {
     const Texture& texture = *own.texture;
     const Finish& f = texture.finish;
     const std::array<double, 5>& p = texture.pigment.color;
     const double glass = glass_of(own);
-    const NumberTable<33>::Key key{p[0],
-                                   p[1],
-                                   p[2],
-                                   p[3],
-                                   p[4],
-                                   f.ambient.r,
-                                   f.ambient.g,
-                                   f.ambient.b,
-                                   f.diffuse,
-                                   f.phong,
-                                   f.phong_size,
-                                   f.specular,
-                                   f.roughness,
-                                   f.emission.r,
-                                   f.emission.g,
-                                   f.emission.b,
-                                   f.brilliance,
-                                   f.metallic,
-                                   f.reflection_min.r,
-                                   f.reflection_min.g,
-                                   f.reflection_min.b,
-                                   f.reflection_max.r,
-                                   f.reflection_max.g,
-                                   f.reflection_max.b,
-                                   f.reflection_metallic,
-                                   f.reflection_falloff,
-                                   f.crand,
-                                   f.diffuse_back,
-                                   own.is_no_shadow ? 1.0 : 0.0,
-                                   f.reflection_exponent,
-                                   f.reflection_fresnel ? 1.0 : 0.0,
-                                   f.conserve_energy ? 1.0 : 0.0,
-                                   glass > 0 ? own.interior->ior : 0.0};
+    NumberTable<33>::Key key;
+    const TextureNumbers numbers = numbers_of(texture);
+    *std::copy(numbers.begin(), numbers.end(), key.begin()) = own.is_no_shadow ? 1.0 : 0.0;
+    key.back() = glass > 0 ? own.interior->ior : 0.0;
     const bool is_last = last_material_ != k_none && key == last_key_;
     if (is_last && is_last_plain_ && has_nothing_else(texture, own.interior, own.is_merge))
         return last_material_;

@@ -3,10 +3,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "formats/povray/object_parser.h"
+#include "math/number.h"
+#include "math/transform.h"
 
 namespace glint::povray {
+namespace {
+
+// As POV-Ray stores it.
+Float3 stored_position(Vec3 v) {
+    constexpr double most = std::numeric_limits<float>::max();
+    return to_single(
+        {std::clamp(v.x, -most, most), std::clamp(v.y, -most, most), std::clamp(v.z, -most, most)});
+}
+
+// The unit vector; of 0 that which POV-Ray takes.
+Float3 stored_normal(Vec3 v) {
+    const double most = std::max({number::abs(v.x), number::abs(v.y), number::abs(v.z)});
+    return most > 0 ? to_single(normalize(v / most)) : Float3{1, 0, 0};
+}
+
+}  // namespace
 
 // mesh { triangles, modifiers }
 Object ObjectParser::read_mesh(const Token& word) {
@@ -15,35 +34,37 @@ Object ObjectParser::read_mesh(const Token& word) {
     object.at = word;
     if (!expect('{')) return object;
     if (begins_declared(peek()) && begins_object(peek())) return read_copy();
-    auto mesh = make_counted<Mesh>();
+    auto mesh = make_counted<ReadMesh>();
     while (!failed() && (peek().word() == Word::k_triangle || peek().word() == Word::k_smooth_triangle)) {
         read_mesh_triangle(*mesh);
     }
-    object.count = std::max<std::uint64_t>(mesh->faces.size(), 1);
+    allow_steps(mesh->triangles.size());
     object.mesh = std::move(mesh);
     read_modifiers(object);
     return object;
 }
 
-void ObjectParser::read_mesh_triangle(Mesh& mesh) {
+void ObjectParser::read_mesh_triangle(ReadMesh& mesh) {
     const bool is_smooth = take().word() == Word::k_smooth_triangle;
     if (!expect('{')) return;
-    Mesh::Face face;
-    face.has_normals = is_smooth;
+    TriangleCorners vertices{}, normals{};
+    const std::size_t triangle = mesh.triangles.size();
     for (std::size_t i = 0; i < 3 && !failed(); ++i) {
-        face.vertices[i] = static_cast<std::uint32_t>(mesh.vertices.size());
-        mesh.vertices.push_back(vector());
+        vertices[i] = static_cast<std::uint32_t>(mesh.vertices.size());
+        mesh.vertices.push_back(stored_position(vector()));
         accept(',');
         if (!is_smooth) continue;
-        face.normals[i] = static_cast<std::uint32_t>(mesh.normals.size());
-        mesh.normals.push_back(vector());
+        normals[i] = static_cast<std::uint32_t>(mesh.normals.size());
+        mesh.normals.push_back(stored_normal(vector()));
         accept(',');
     }
+    if (is_smooth) ReadMesh::set(mesh.normal_corners, triangle, normals);
     while (!failed() && !accept('}')) {
         const Token item = take();
         if (item.word() == Word::k_texture) {
-            face.has_texture = true;
-            face.textures.fill(static_cast<std::uint32_t>(mesh.textures.size()));
+            TriangleCorners textures;
+            textures.fill(static_cast<std::uint32_t>(mesh.textures.size()));
+            ReadMesh::set(mesh.texture_corners, triangle, textures);
             mesh.textures.push_back(make_counted<const Texture>(read_texture()));
         } else if (item.word() == Word::k_uv_vectors) {
             for (int i = 0; i < 3 && !failed(); ++i) {
@@ -54,7 +75,7 @@ void ObjectParser::read_mesh_triangle(Mesh& mesh) {
             error(item, fmt::format("expected `texture` or `}}`, found {}", describe(item)));
         }
     }
-    mesh.faces.push_back(face);
+    mesh.triangles.push_back(vertices);
 }
 
 // mesh2 { vertex_vectors {...} ... modifiers }
@@ -64,18 +85,18 @@ Object ObjectParser::read_mesh2(const Token& word) {
     object.at = word;
     if (!expect('{')) return object;
     if (begins_declared(peek()) && begins_object(peek())) return read_copy();
-    auto mesh = make_counted<Mesh>();
+    auto mesh = make_counted<ReadMesh>();
     bool has_normal_indices = false;
     for (bool is_part = true; is_part && !failed();) {
         const Token item = peek();
         switch (item.word()) {
             case Word::k_vertex_vectors:
                 take();
-                mesh->vertices = read_points();
+                mesh->vertices = read_points(stored_position);
                 break;
             case Word::k_normal_vectors:
                 take();
-                mesh->normals = read_points();
+                mesh->normals = read_points(stored_normal);
                 break;
             case Word::k_texture_list:
                 take();
@@ -105,34 +126,30 @@ Object ObjectParser::read_mesh2(const Token& word) {
         }
     }
     check_mesh(word, *mesh, has_normal_indices);
-    object.count = std::max<std::uint64_t>(mesh->faces.size(), 1);
+    allow_steps(mesh->triangles.size());
     object.mesh = std::move(mesh);
     read_modifiers(object);
     return object;
 }
 
-// Indices are in range, and normals are not 0.
-void ObjectParser::check_mesh(const Token& at, Mesh& mesh, bool has_normal_indices) {
-    for (Vec3& n : mesh.normals) {
-        if (n == Vec3{0, 0, 0}) n = {1, 0, 0};
-    }
-    for (Mesh::Face& face : mesh.faces) {
-        if (!has_normal_indices && !mesh.normals.empty()) {
-            face.normals = face.vertices;
-            face.has_normals = true;
+// Indices are in range. Without normal indices, a vertex has the normal of the same number.
+void ObjectParser::check_mesh(const Token& at, ReadMesh& mesh, bool has_normal_indices) {
+    if (!has_normal_indices && !mesh.normals.empty()) mesh.normal_corners = mesh.triangles;
+    const auto is_within = [](const CountedVector<TriangleCorners>& list, std::size_t triangle,
+                              std::size_t end) {
+        return !ReadMesh::has(list, triangle) ||
+               (list[triangle][0] < end && list[triangle][1] < end && list[triangle][2] < end);
+    };
+    for (std::size_t i = 0; i < mesh.triangles.size() && !failed(); ++i) {
+        const TriangleCorners& vertices = mesh.triangles[i];
+        if (*std::max_element(vertices.begin(), vertices.end()) < mesh.vertices.size() &&
+            is_within(mesh.normal_corners, i, mesh.normals.size()) &&
+            is_within(mesh.texture_corners, i, mesh.textures.size())) {
+            continue;
         }
-        for (std::size_t i = 0; i < 3 && !failed(); ++i) {
-            const bool is_wrong = face.vertices[i] >= mesh.vertices.size() ||
-                                  (face.has_normals && face.normals[i] >= mesh.normals.size()) ||
-                                  (face.has_texture && face.textures[i] >= mesh.textures.size());
-            if (is_wrong) {
-                error(at,
-                      fmt::format("face {} of the mesh has an index beyond its {} vertices, {} normals and "
-                                  "{} textures",
-                                  &face - mesh.faces.data(), mesh.vertices.size(), mesh.normals.size(),
-                                  mesh.textures.size()));
-            }
-        }
+        error(at, fmt::format(
+                      "face {} of the mesh has an index beyond its {} vertices, {} normals and {} textures",
+                      i, mesh.vertices.size(), mesh.normals.size(), mesh.textures.size()));
     }
 }
 
@@ -145,13 +162,14 @@ std::size_t ObjectParser::read_count() {
     return failed() ? 0 : static_cast<std::size_t>(count);
 }
 
-CountedVector<Vec3> ObjectParser::read_points() {
-    CountedVector<Vec3> points;
+// Vectors, each as `convert` makes it.
+CountedVector<Float3> ObjectParser::read_points(Float3 (*convert)(Vec3)) {
+    CountedVector<Float3> points;
     if (!expect('{')) return points;
     const std::size_t count = read_count();
     points.reserve(std::min<std::size_t>(count, 1u << 16));
     for (std::size_t i = 0; i < count && !failed(); ++i) {
-        points.push_back(vector());
+        points.push_back(convert(vector()));
         accept(',');
     }
     if (!failed()) expect('}');
@@ -174,47 +192,46 @@ std::uint32_t ObjectParser::read_index() {
     return failed() ? 0 : static_cast<std::uint32_t>(value);
 }
 
-void ObjectParser::read_faces(Mesh& mesh) {
+void ObjectParser::read_faces(ReadMesh& mesh) {
     if (!expect('{')) return;
     const std::size_t count = read_count();
     for (std::size_t i = 0; i < count && !failed(); ++i) {
-        Mesh::Face face;
-        read_face_indices(face.vertices);
+        TriangleCorners vertices{}, textures{};
+        read_face_indices(vertices);
         accept(',');
         // One texture for the face, or one for each vertex.
-        std::size_t textures = 0;
-        while (!failed() && textures < 3 && !peek().is('<') && begins_number(peek())) {
-            face.textures[textures++] = read_index();
+        std::size_t found = 0;
+        while (!failed() && found < 3 && !peek().is('<') && begins_number(peek())) {
+            textures[found++] = read_index();
             accept(',');
         }
-        face.has_texture = textures > 0;
-        if (textures == 1) face.textures[1] = face.textures[2] = face.textures[0];
-        if (textures == 2) expected("a third texture of the face");
-        face.has_textures = face.has_texture &&
-                            (face.textures[0] != face.textures[1] || face.textures[0] != face.textures[2]);
-        mesh.faces.push_back(face);
+        if (found == 1) textures[1] = textures[2] = textures[0];
+        if (found == 2) expected("a third texture of the face");
+        if (found > 0) ReadMesh::set(mesh.texture_corners, mesh.triangles.size(), textures);
+        mesh.triangles.push_back(vertices);
     }
     if (!failed()) expect('}');
 }
 
-void ObjectParser::read_normal_indices(Mesh& mesh) {
+void ObjectParser::read_normal_indices(ReadMesh& mesh) {
     if (!expect('{')) return;
     const Token at = peek();
     const std::size_t count = read_count();
-    if (count > mesh.faces.size()) {
+    if (count > mesh.triangles.size()) {
         return error(at, fmt::format("expected at most {} normal indices, one for each face, before which "
                                      "`face_indices` stands",
-                                     mesh.faces.size()));
+                                     mesh.triangles.size()));
     }
     for (std::size_t i = 0; i < count && !failed(); ++i) {
-        read_face_indices(mesh.faces[i].normals);
-        mesh.faces[i].has_normals = true;
+        TriangleCorners normals{};
+        read_face_indices(normals);
+        ReadMesh::set(mesh.normal_corners, i, normals);
         accept(',');
     }
     if (!failed()) expect('}');
 }
 
-void ObjectParser::read_texture_list(Mesh& mesh) {
+void ObjectParser::read_texture_list(ReadMesh& mesh) {
     if (!expect('{')) return;
     const std::size_t count = read_count();
     for (std::size_t i = 0; i < count && !failed(); ++i) {

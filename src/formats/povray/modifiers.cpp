@@ -118,7 +118,7 @@ void ObjectParser::read_clip(Object& object) {
         if (!begins_object(peek())) return expected("an object or `}`");
         const Object clip = read_object();
         accept(',');
-        if (object.mesh) spend(object.mesh->vertices.size() + object.mesh->faces.size());
+        if (object.mesh) spend(object.mesh->vertices.size() + object.mesh->triangles.size());
         if (!failed() && !holds(clip, object) && !clip_mesh(clip, object)) {
             Missing clipped = missing(at, "clipped_by");
             clipped.is_error = !reading().options.skip_unsupported;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "formats/povray/texture.h"
+#include "glint/mesh.h"
 
 namespace glint::povray {
 
@@ -26,14 +27,26 @@ enum class ObjectKind : std::uint8_t {
     refused
 };
 
-struct Mesh {
-    struct Face {
-        std::array<std::uint32_t, 3> vertices{}, normals{}, textures{};
-        bool has_normals = false, has_texture = false, has_textures = false;  // one texture, or one a corner
-    };
-    CountedVector<Vec3> vertices, normals;
-    CountedVector<Face> faces;
+/// A mesh as its text has it, in single precision, as in POV-Ray.
+struct ReadMesh {
+    CountedVector<Float3> vertices;
+    CountedVector<Float3> normals;  ///< unit vectors
+    CountedVector<TriangleCorners> triangles;
+    /// By triangle, or empty: no triangle has any. A triangle's normals are all set or all
+    /// CornerValues::k_none, and so are its textures: one at each corner.
+    CountedVector<TriangleCorners> normal_corners, texture_corners;
     CountedVector<std::shared_ptr<const Texture>> textures;
+
+    /// The values of all triangles can be set afterwards.
+    static void set(CountedVector<TriangleCorners>& list, std::size_t triangle,
+                    const TriangleCorners& corners) {
+        if (list.size() <= triangle)
+            list.resize(triangle + 1, {CornerValues::k_none, CornerValues::k_none, CornerValues::k_none});
+        list[triangle] = corners;
+    }
+    static bool has(const CountedVector<TriangleCorners>& list, std::size_t triangle) {
+        return triangle < list.size() && list[triangle][0] != CornerValues::k_none;
+    }
 };
 
 struct LightSource {
@@ -70,7 +83,8 @@ struct Object {
     std::shared_ptr<const Texture> texture;
     std::shared_ptr<const std::array<Vec3, 3>> normals;  ///< of a smooth triangle
     std::shared_ptr<const CountedVector<ObjectPart>> parts;
-    std::shared_ptr<const Mesh> mesh;  ///< of a polygon: its vertices
+    std::shared_ptr<const ReadMesh> mesh;
+    std::shared_ptr<const CountedVector<Vec3>> outline;  ///< of a polygon
     std::shared_ptr<const LightSource> light;
     std::shared_ptr<const Clip> clip;
     std::shared_ptr<const Opaque> interior;
@@ -84,7 +98,10 @@ struct Object {
 /// The width of the default camera's picture, whose height is 1: not 4/3 (POV-Ray, measured).
 inline constexpr double k_default_right = 1.33;
 
-/// Of a smooth triangle: POV-Ray leaves those out (measured).
+/// The factor of a map that keeps all angles, or 0.
+double similarity(const Affine& map);
+
+/// Of a smooth triangle outside of a mesh: POV-Ray leaves those out (measured).
 bool has_normals_on_both_sides(const std::array<Vec3, 3>& vertices, const std::array<Vec3, 3>& normals);
 
 struct CameraItems {

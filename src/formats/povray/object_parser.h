@@ -42,15 +42,15 @@ class ObjectParser : public TextureParser {
     // meshes.cpp
     Object read_mesh(const Token& word);
     Object read_mesh2(const Token& word);
-    void read_mesh_triangle(Mesh& mesh);
-    void check_mesh(const Token& at, Mesh& mesh, bool has_normal_indices);
+    void read_mesh_triangle(ReadMesh& mesh);
+    void check_mesh(const Token& at, ReadMesh& mesh, bool has_normal_indices);
     std::size_t read_count();
     void read_face_indices(std::array<std::uint32_t, 3>& indices);
     std::uint32_t read_index();
-    CountedVector<Vec3> read_points();
-    void read_faces(Mesh& mesh);
-    void read_normal_indices(Mesh& mesh);
-    void read_texture_list(Mesh& mesh);
+    CountedVector<Float3> read_points(Float3 (*convert)(Vec3));
+    void read_faces(ReadMesh& mesh);
+    void read_normal_indices(ReadMesh& mesh);
+    void read_texture_list(ReadMesh& mesh);
 
     // polygons.cpp
     Object read_polygon(const Token& word);

@@ -16,9 +16,11 @@ constexpr std::uint64_t k_max_light_tests = 100'000'000;
 // Warns of parallel lights beyond whose planes are shapes: in POV-Ray these cast no shadows.
 void SceneBuilder::check_parallel_lights() {
     // The first of them is named; texts of very many shapes and lights are not searched to the end.
-    std::uint64_t tests = 0;
+    std::uint64_t tests = 0, tests_of_light = 0;
+    if (parallel_lights_.empty()) return;
+    for (const Shape& shape : scene_.shapes) tests_of_light += reach_steps(scene_, shape);
     for (const ParallelLight& light : parallel_lights_) {
-        if ((tests += scene_.shapes.size()) > k_max_light_tests) return;
+        if ((tests += tests_of_light) > k_max_light_tests) return;
         const auto is_beyond = [&](const Shape& shape) {
             if (shape.material < scene_.materials.size() && !scene_.materials[shape.material].casts_shadow) {
                 return false;

@@ -11,17 +11,6 @@
 namespace glint::povray {
 namespace {
 
-// The factor of a map that keeps all angles, or 0.
-double similarity(const Affine& map) {
-    const auto column = [&](int i) { return Vec3{map.m[0][i], map.m[1][i], map.m[2][i]}; };
-    const Vec3 x = column(0), y = column(1), z = column(2);
-    const double xx = dot(x, x), limit = 1e-12 * xx;
-    const bool is_similar = number::abs(dot(y, y) - xx) <= limit && number::abs(dot(z, z) - xx) <= limit &&
-                            number::abs(dot(x, y)) <= limit && number::abs(dot(x, z)) <= limit &&
-                            number::abs(dot(y, z)) <= limit;
-    return is_similar ? number::sqrt(xx) : 0;
-}
-
 bool is_diagonal(const Affine& map) {
     for (int r = 0; r < 3; ++r) {
         for (int c = 0; c < 3; ++c) {
@@ -32,6 +21,26 @@ bool is_diagonal(const Affine& map) {
 }
 
 }  // namespace
+
+double similarity(const Affine& map) {
+    const auto column = [&](int i) { return Vec3{map.m[0][i], map.m[1][i], map.m[2][i]}; };
+    const Vec3 x = column(0), y = column(1), z = column(2);
+    const double xx = dot(x, x), limit = 1e-12 * xx;
+    const bool is_similar = number::abs(dot(y, y) - xx) <= limit && number::abs(dot(z, z) - xx) <= limit &&
+                            number::abs(dot(x, y)) <= limit && number::abs(dot(x, z)) <= limit &&
+                            number::abs(dot(y, z)) <= limit;
+    return is_similar ? number::sqrt(xx) : 0;
+}
+
+bool has_normals_on_both_sides(const std::array<Vec3, 3>& vertices, const std::array<Vec3, 3>& normals) {
+    const Vec3 face = cross(vertices[1] - vertices[0], vertices[2] - vertices[0]);
+    bool front = false, back = false;
+    for (const Vec3& n : normals) {
+        front = front || dot(n, face) > 0;
+        back = back || dot(n, face) < 0;
+    }
+    return front && back;
+}
 
 // The place of a shape: that of the outermost macro call, where the text asks for it.
 SourcePlace SceneBuilder::shape_place(const Token& at) {
@@ -160,8 +169,8 @@ void SceneBuilder::place_shape(const Object& o, const Inherited& from) {
         case ObjectKind::polygon: {
             auto& all = scene_.polygon_vertices;
             const Polygon polygon{static_cast<std::uint32_t>(all.size()),
-                                  static_cast<std::uint32_t>(o.mesh->vertices.size())};
-            for (const Vec3& p : o.mesh->vertices) all.push_back(point(p));
+                                  static_cast<std::uint32_t>(o.outline->size())};
+            for (const Vec3& p : *o.outline) all.push_back(point(p));
             add(polygon, material, nullptr, o.at);
             break;
         }
@@ -181,52 +190,6 @@ void SceneBuilder::place_shape(const Object& o, const Inherited& from) {
     if (scene_.shapes.size() > first && scene_.materials[material].transmission > 0) {
         glass_.push_back(first);
         glass_at_ = o.at;
-    }
-}
-
-void SceneBuilder::place_mesh(const Object& o, const Inherited& own) {
-    const Mesh& mesh = *o.mesh;
-    // Many vertices without faces take time that the number of shapes does not bound.
-    const std::size_t size = mesh.vertices.size() + mesh.normals.size(), used = 6 * mesh.faces.size();
-    if (size > used && !stream_.spend((size - used) / 8)) return;
-    CountedVector<Vec3> points = mesh.vertices, normals = mesh.normals;
-    bool is_skewed = false;
-    if (own.map) {
-        const auto object_from_world = inverse(*own.map);
-        if (!object_from_world) return stream_.error(o.at, "the mesh's transform leaves nothing of it");
-        for (Vec3& p : points) p = transform_point(*own.map, p);
-        is_skewed = !(similarity(*own.map) > 0);
-        for (Vec3& n : normals) n = transform_normal(*object_from_world, is_skewed ? normalize(n) : n);
-    }
-    Inherited face_own = own;
-    const std::uint32_t material = material_of(own, o.at);
-    for (const Mesh::Face& face : mesh.faces) {
-        if (stream_.failed()) return;
-        std::uint32_t of_face = material;
-        if (face.has_texture) {
-            face_own.texture = mesh.textures[face.textures[0]].get();
-            of_face = material_of(face_own, o.at);
-        }
-        if (face.has_textures) {
-            add_blended_face(o, own, face, points, normals);
-            continue;
-        }
-        Triangle flat;
-        for (std::size_t i = 0; i < 3; ++i) flat.vertices[i] = points[face.vertices[i]];
-        if (!face.has_normals) {
-            add(flat, of_face, nullptr, o.at);
-            continue;
-        }
-        SmoothTriangle smooth;
-        for (std::size_t i = 0; i < 3; ++i) {
-            smooth.vertices[i] = flat.vertices[i];
-            smooth.normals[i] = normals[face.normals[i]];
-        }
-        if (is_skewed) {
-            add_smooth(smooth, of_face, o.at);
-        } else {
-            add(smooth, of_face, nullptr, o.at);
-        }
     }
 }
 

@@ -163,9 +163,7 @@ void ObjectParser::take_outlines(const CountedVector<Vec3>& points, Object& obje
         Object part;
         part.kind = ObjectKind::polygon;
         part.at = object.at;
-        auto mesh = make_counted<Mesh>();
-        mesh->vertices = std::move(outlines[i].points);
-        part.mesh = std::move(mesh);
+        part.outline = make_counted<CountedVector<Vec3>>(std::move(outlines[i].points));
         if (outlines.size() == 1) {
             object = std::move(part);
             return;

@@ -47,6 +47,13 @@ std::optional<double> own_reach(const Scene& scene, const Shape& shape, Vec3 d) 
                                 : scene.get<SmoothTriangle>()[shape.index].vertices;
             return std::max({dot(d, v[0]), dot(d, v[1]), dot(d, v[2])});
         }
+        case ShapeKind::mesh: {
+            const MeshData& mesh = *scene.meshes[scene.get<Mesh>()[shape.index].mesh];
+            double most = -1e300;
+            for (std::uint32_t i = 0; i < mesh.vertex_count(); ++i)
+                most = std::max(most, dot(d, mesh.position(i)));
+            return most;
+        }
         case ShapeKind::polygon: {
             const Polygon& p = scene.get<Polygon>()[shape.index];
             double most = -1e300;
@@ -78,6 +85,11 @@ bool are_apart(const Scene& scene, const Shape& a, const Shape& b) {
         if (*most_a < -*least_b || *most_b < -*least_a) return true;
     }
     return false;
+}
+
+std::uint64_t reach_steps(const Scene& scene, const Shape& shape) {
+    if (shape.kind != ShapeKind::mesh) return 1;
+    return 1 + scene.meshes[scene.get<Mesh>()[shape.index].mesh]->vertex_count();
 }
 
 }  // namespace glint::povray

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // How far shapes reach: what the reader asks where a rule depends on other shapes.
+#include <cstdint>
 #include <optional>
 
 #include "glint/scene.h"
@@ -9,6 +10,9 @@ namespace glint::povray {
 
 /// The greatest dot(d, p) of the points p of a shape; nothing for planes and polygons.
 std::optional<double> reach(const Scene& scene, const Shape& shape, Vec3 d);
+
+/// What reach() takes for a shape, in points.
+std::uint64_t reach_steps(const Scene& scene, const Shape& shape);
 
 /// Whether the boxes of two shapes are apart; false for planes and polygons.
 bool are_apart(const Scene& scene, const Shape& a, const Shape& b);

@@ -3,13 +3,14 @@
 // Objects to the Scene: groups are resolved, maps are applied to the shapes, textures become materials; and
 // what of POV-Ray's rules only the whole scene decides.
 #include <array>
+#include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "formats/load_state.h"
 #include "formats/number_table.h"
+#include "formats/povray/mesh_parts.h"
 #include "formats/povray/object.h"
 #include "formats/povray/token_stream.h"
 
@@ -49,10 +50,15 @@ class SceneBuilder {
     // place.cpp
     void place(const Object& object, const Inherited& from);
     void place_shape(const Object& object, const Inherited& from);
-    void place_mesh(const Object& object, const Inherited& own);
     SourcePlace shape_place(const Token& at);
     template <class Shape>
     void add(const Shape& shape, std::uint32_t material, const Affine* map, const Token& at);
+
+    // place_mesh.cpp
+    void place_mesh(const Object& object, const Inherited& own);
+    bool place_single_face(const Object& object, const Inherited& own);
+    bool gather_face(const Object& object, const Inherited& own, const Texture& texture);
+    MeshParts* parts_of(const Object& object);
 
     // report.cpp
     void report(const MissingList& missing);
@@ -67,11 +73,7 @@ class SceneBuilder {
     void place_look(const Object& object, const Inherited& own);
 
     // blended_faces.cpp
-    void add_blended_face(const Object& object, const Inherited& own, const Mesh::Face& face,
-                          std::span<const Vec3> points, std::span<const Vec3> normals);
-
-    // smooth.cpp
-    void add_smooth(const SmoothTriangle& whole, std::uint32_t material, const Token& at);
+    void add_blended_face(const Object& object, const Inherited& own, std::uint32_t face);
 
     // interiors.cpp
     struct ShapeInteriors {
@@ -100,6 +102,19 @@ class SceneBuilder {
     Scene& scene_;
     TokenStream& stream_;
     std::uint64_t placed_ = 0;
+    // Of each mesh that has been placed. A weak pointer keeps its address from being used again.
+    struct PlacedMesh {
+        std::weak_ptr<const ReadMesh> mesh;
+        MeshParts parts;
+    };
+    CountedHashMap<const ReadMesh*, PlacedMesh> meshes_;
+    // The shape that faces which are meshes of their own are gathered in.
+    struct Gathered {
+        std::shared_ptr<MeshData> data;
+        std::uint32_t material = k_none;
+        bool is_smooth = false, is_hollow = false;
+    };
+    Gathered gathered_;
     CountedVector<ParallelLight> parallel_lights_;
     std::optional<Token> high_bailout_;   // adc_bailout above 1/255
     std::optional<Token> no_reflection_;  // the first object with it

@@ -86,6 +86,13 @@ struct Opaque {
     MissingList missing;  ///< what else of an interior counts
 };
 
+/// The numbers of a texture that decide what its surface looks like; the pigment's red, green and blue come
+/// first.
+using TextureNumbers = std::array<double, 31>;
+TextureNumbers numbers_of(const Texture& texture);
+/// Whether something of the texture is not rendered, beyond what its numbers say.
+bool has_warnings(const Texture& texture);
+
 struct MaterialValue {
     std::shared_ptr<const Texture> texture;
     std::shared_ptr<const Opaque> interior;

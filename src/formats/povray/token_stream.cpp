@@ -70,6 +70,15 @@ void TokenStream::allow_steps(std::uint64_t shapes) {
 bool TokenStream::is_within_memory(const Token& at) {
     reading_.memory.count(reading_.scene);
     if (!reading_.memory.is_exceeded() || failed_) return !failed_;
+    return refuse_memory(at);
+}
+
+bool TokenStream::has_room(std::uint64_t bytes, const Token& at) {
+    if (reading_.memory.has_room(bytes) || failed_) return !failed_;
+    return refuse_memory(at);
+}
+
+bool TokenStream::refuse_memory(const Token& at) {
     error(at, reading_.memory.message());
     reading_.is_memory_reported = true;
     return false;

@@ -50,6 +50,8 @@ class TokenStream {
 
     bool spend(std::uint64_t steps = 1);
     bool is_within_memory(const Token& at);
+    /// Whether the memory has room for these bytes in addition.
+    bool has_room(std::uint64_t bytes, const Token& at);
     /// A long loop that makes shapes is none that does not end.
     void allow_steps(std::uint64_t shapes);
     std::uint64_t max_shapes() const { return k_max_shapes + own_tokens().size(); }
@@ -131,6 +133,7 @@ class TokenStream {
     /// Opens the macro's frame; its name has been read.
     virtual void call_macro(const Token& name, const Macro& macro) = 0;
 
+    bool refuse_memory(const Token& at);
     void fetch();
     void set_end();
     void lex_text(std::uint16_t number);

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// Meshes to the Scene: each is stored once, in its own coordinates, for all places where it stands.
+#include <fmt/format.h>
+
+#include "formats/povray/add_shape.h"
+
+namespace glint::povray {
+
+// The mesh in parts of one look. Null after an error.
+MeshParts* SceneBuilder::parts_of(const Object& object) {
+    const auto known = meshes_.find(object.mesh.get());
+    if (known != meshes_.end()) return &known->second.parts;
+    if (!stream_.has_room(bytes_of_parts(*object.mesh), object.at)) return nullptr;
+    PlacedMesh& placed = meshes_[object.mesh.get()];
+    placed.mesh = object.mesh;
+    placed.parts = mesh_parts(*object.mesh);
+    return &placed.parts;
+}
+
+void SceneBuilder::place_mesh(const Object& o, const Inherited& own) {
+    const ReadMesh& mesh = *o.mesh;
+    if (mesh.triangles.empty()) return;
+    if (mesh.triangles.size() == 1 && place_single_face(o, own)) return;
+    MeshParts* const parts = parts_of(o);
+    if (parts == nullptr || !stream_.spend(parts->parts.size() + parts->warned.size())) return;
+    if (!parts->parts.empty() && !stream_.count_shapes(parts->parts.size() - 1))
+        return stream_.error(o.at, fmt::format("more than {} shapes", stream_.max_shapes()));
+    Inherited part_own = own;
+    for (const auto& texture : parts->warned) {
+        part_own.texture = texture.get();
+        report_texture(part_own, o.at);
+    }
+    for (MeshPart& part : parts->parts) {
+        if (stream_.failed()) return;
+        part_own.texture = part.texture ? part.texture.get() : own.texture;
+        if (part.index == CornerValues::k_none) {
+            part.index = static_cast<std::uint32_t>(scene_.meshes.size());
+            scene_.meshes.push_back(part.data);
+            if (mesh.triangles.size() > 1024 && !stream_.is_within_memory(o.at)) return;
+        }
+        add(Mesh{part.index}, material_of(part_own, o.at), own.map, o.at);
+    }
+    for (const std::uint32_t face : parts->blended) {
+        if (stream_.failed()) return;
+        add_blended_face(o, own, face);
+    }
+}
+
+// A mesh of one face, of which some programs write many thousands: as a triangle, or gathered with others.
+// False if it is neither.
+bool SceneBuilder::place_single_face(const Object& o, const Inherited& own) {
+    const ReadMesh& mesh = *o.mesh;
+    Inherited face_own = own;
+    if (ReadMesh::has(mesh.texture_corners, 0)) {
+        const TriangleCorners& corners = mesh.texture_corners[0];
+        const Texture& first = *mesh.textures[corners[0]];
+        if (corners[0] != corners[1] || corners[0] != corners[2]) {
+            const Looks looks(mesh);
+            return looks.count() == 1 && is_linear_in_color(first) && gather_face(o, own, first);
+        }
+        face_own.texture = &first;
+    }
+    const bool is_smooth = ReadMesh::has(mesh.normal_corners, 0);
+    // POV-Ray mixes the normals before the transform: of a triangle the same only if it keeps angles.
+    if (own.map && is_smooth && !(similarity(*own.map) > 0)) return false;
+    std::optional<Affine> object_from_world;
+    if (own.map && !(object_from_world = inverse(*own.map))) {
+        stream_.error(o.at, "the mesh's transform leaves nothing of it");
+        return true;
+    }
+    SmoothTriangle t;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 p = to_vec3(mesh.vertices[mesh.triangles[0][i]]);
+        t.vertices[i] = own.map ? transform_point(*own.map, p) : p;
+        if (!is_smooth) continue;
+        const Vec3 n = to_vec3(mesh.normals[mesh.normal_corners[0][i]]);
+        t.normals[i] = object_from_world ? transform_normal(*object_from_world, n) : n;
+    }
+    const std::uint32_t material = material_of(face_own, o.at);
+    if (is_smooth) {
+        add(t, material, nullptr, o.at);
+    } else {
+        add(Triangle{{t.vertices[0], t.vertices[1], t.vertices[2]}}, material, nullptr, o.at);
+    }
+    return true;
+}
+
+// A face with three colors: into the mesh of those before it that look the same, whose place it has then.
+bool SceneBuilder::gather_face(const Object& o, const Inherited& own, const Texture& texture) {
+    const ReadMesh& mesh = *o.mesh;
+    if (own.map) return false;
+    for (const auto& of : mesh.textures)
+        if (has_warnings(*of)) return false;
+    const Texture colorless = without_color(texture);
+    Inherited face_own = own;
+    face_own.texture = &colorless;
+    const std::uint32_t material = material_of(face_own, o.at);
+    // In fog, an object that light passes through has an inside of its own.
+    if (scene_.materials[material].is_transparent()) return false;
+    const bool is_smooth = ReadMesh::has(mesh.normal_corners, 0);
+    if (!gathered_.data || gathered_.material != material || gathered_.is_smooth != is_smooth ||
+        gathered_.is_hollow != own.is_hollow) {
+        gathered_ = {std::make_shared<MeshData>(), material, is_smooth, own.is_hollow};
+        scene_.meshes.push_back(gathered_.data);
+        add(Mesh{static_cast<std::uint32_t>(scene_.meshes.size() - 1)}, material, nullptr, o.at);
+    }
+    MeshData& data = *gathered_.data;
+    const auto first = static_cast<std::uint32_t>(data.single_positions.size());
+    data.triangles.push_back({first, first + 1, first + 2});
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto& c = mesh.textures[mesh.texture_corners[0][i]]->pigment.color;
+        data.single_positions.push_back(mesh.vertices[mesh.triangles[0][i]]);
+        data.colors.values.push_back(to_single({c[0], c[1], c[2]}));
+        if (is_smooth) data.normals.values.push_back(mesh.normals[mesh.normal_corners[0][i]]);
+    }
+    return true;
+}
+
+}  // namespace glint::povray
