@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "formats/number_text.h"
+#include "formats/povray/number_list.h"
 
 namespace glint::povray {
 namespace {
@@ -132,7 +133,29 @@ class Lexer {
                 ++at_;
                 token.symbol = c == '<' ? 'l' : c == '>' ? 'g' : 'n';
             }
+            if (c == '{') read_list();
         }
+    }
+
+    // The lists of meshes, which can be most of a text: as tokens they would take many times their length.
+    void read_list() {
+        if (out_.tokens.size() < 2) return;
+        switch (out_.tokens[out_.tokens.size() - 2].word()) {
+            case Word::k_vertex_vectors:
+            case Word::k_normal_vectors:
+            case Word::k_uv_vectors:
+            case Word::k_face_indices:
+            case Word::k_normal_indices:
+            case Word::k_uv_indices:
+                break;
+            default:
+                return;
+        }
+        const char* const end = end_of_number_list(at_, end_);
+        if (end == nullptr || end == at_) return;
+        add(TokenKind::list, at_).name = static_cast<std::uint32_t>(end - at_);
+        out_.list_bytes += static_cast<std::uint64_t>(end - at_);
+        at_ = end;
     }
 
     std::uint32_t read_name() {

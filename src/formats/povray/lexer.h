@@ -14,13 +14,14 @@
 
 namespace glint::povray {
 
-/// end: of a text, of a macro's body, or of what may be read now. directive: `#` and its word.
-enum class TokenKind : std::uint8_t { end, number, word, directive, string, symbol };
+/// end: of a text, of a macro's body, or of what may be read now. directive: `#` and its word. list: what
+/// number_list.h reads, in the block of a mesh.
+enum class TokenKind : std::uint8_t { end, number, word, directive, string, symbol, list };
 
 struct Token {
     double number = 0;         // of a number
-    std::uint32_t name = 0;    // of a word or directive: a Word, or an identifier of Names; of a string: its
-                               // length with quotes
+    std::uint32_t name = 0;    // of a word or directive: a Word, or an identifier of Names; of a string or
+                               // list: its length, with quotes
     std::uint32_t offset = 0;  // of the first byte
     std::uint16_t text = 0;    // SourcePlace::file
     TokenKind kind = TokenKind::end;
@@ -58,6 +59,7 @@ struct LexError {
 /// The tokens of a text; the last one has the kind `end`.
 struct LexedText {
     CountedVector<Token> tokens;
+    std::uint64_t list_bytes = 0;  ///< of all lists
     LexError error;
 };
 

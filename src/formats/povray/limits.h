@@ -9,6 +9,7 @@ namespace glint::povray {
 inline constexpr std::uint64_t k_max_steps = 30'000'000;  // tokens read again by loops and macros
 inline constexpr std::uint64_t k_steps_per_shape = 1000;  // more of them for each shape that came of it
 inline constexpr std::uint64_t k_most_steps = 1'000'000'000;
+inline constexpr std::uint64_t k_list_bytes_a_step = 8;     // of the lists of meshes
 inline constexpr std::size_t k_max_frames = 500;            // macros and includes within each other
 inline constexpr int k_max_depth = 100;                     // brackets and blocks within each other
 inline constexpr std::uint64_t k_max_elements = 4'000'000;  // of all arrays

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Objects: shapes, groups, meshes and lights with their modifiers; and cameras. In objects.cpp, shapes.cpp,
-// modifiers.cpp, meshes.cpp, polygons.cpp, lights.cpp and camera.cpp.
+// modifiers.cpp, meshes.cpp, mesh_lists.cpp, polygons.cpp, lights.cpp and camera.cpp.
 #include <array>
 #include <optional>
 
+#include "formats/povray/number_list.h"
 #include "formats/povray/texture_parser.h"
 
 namespace glint::povray {
@@ -44,13 +45,21 @@ class ObjectParser : public TextureParser {
     Object read_mesh2(const Token& word);
     void read_mesh_triangle(ReadMesh& mesh);
     void check_mesh(const Token& at, ReadMesh& mesh, bool has_normal_indices);
+    void read_texture_list(ReadMesh& mesh);
+
+    // mesh_lists.cpp
+    bool open_list();
+    void close_list();
+    void list_error(std::string_view wanted);
+    double list_number();
+    Vec3 list_vector();
     std::size_t read_count();
-    void read_face_indices(std::array<std::uint32_t, 3>& indices);
-    std::uint32_t read_index();
+    std::size_t room_for(std::size_t count) const;
     CountedVector<Float3> read_points(Float3 (*convert)(Vec3));
+    std::uint32_t index_of(double value, const Token& at);
+    void read_face_indices(TriangleCorners& indices);
     void read_faces(ReadMesh& mesh);
     void read_normal_indices(ReadMesh& mesh);
-    void read_texture_list(ReadMesh& mesh);
 
     // polygons.cpp
     Object read_polygon(const Token& word);
@@ -62,6 +71,8 @@ class ObjectParser : public TextureParser {
     std::int32_t sample_count();
 
     std::optional<CameraItems> default_camera_;
+    NumberList list_;  // what is left of the list that is being read; at its end: the tokens count
+    Token list_at_;    // its place
 };
 
 }  // namespace glint::povray

@@ -11,7 +11,7 @@ namespace glint::povray {
 // The text's frame, and what the caller declares.
 void TokenStream::begin() {
     lex_text(text_.file);
-    max_steps_ = k_max_steps + own_tokens().size();
+    max_steps_ = k_max_steps + own_tokens().size() + list_bytes_ / k_list_bytes_a_step;
     Frame frame;
     frame.text = text_.file;
     frame.tokens = own_tokens().data();
@@ -27,6 +27,7 @@ void TokenStream::lex_text(std::uint16_t number) {
         lex_errors_.resize(number + std::size_t{1});
     }
     tokens_[number] = std::move(lexed.tokens);
+    list_bytes_ += lexed.list_bytes;
     lex_errors_[number] = std::move(lexed.error);
     bindings_.resize(names_.size());
 }
@@ -62,7 +63,7 @@ bool TokenStream::spend(std::uint64_t steps) {
 }
 
 void TokenStream::allow_steps(std::uint64_t shapes) {
-    const std::uint64_t most = k_most_steps + own_tokens().size();
+    const std::uint64_t most = k_most_steps + own_tokens().size() + list_bytes_ / k_list_bytes_a_step;
     max_steps_ = std::min(max_steps_ + k_steps_per_shape * std::min(shapes, k_most_steps), most);
 }
 
@@ -127,6 +128,11 @@ Token TokenStream::take_raw() {
     }
     spend();
     return frame.tokens[frame.at++];
+}
+
+bool TokenStream::list_text(const Token& list, std::string_view& text) {
+    text = reading_.texts[list.text].text.substr(list.offset, list.name);
+    return spend(list.name / k_list_bytes_a_step);
 }
 
 bool TokenStream::expect(char symbol) {

@@ -92,6 +92,8 @@ class TokenStream {
     std::string describe(const Token& token) const;
     /// ", ..." of a word that stands for nothing here.
     std::string what_is(const Token& token);
+    /// The text of a list that was taken. False after an error.
+    bool list_text(const Token& list, std::string_view& text);
     /// The last token that was taken.
     const Token& taken() const { return ahead_; }
     // The tokens of this frame as they are written: the next one, not after peek(); and those after peek().
@@ -168,7 +170,7 @@ class TokenStream {
     Token ahead_;
     bool has_ahead_ = false, failed_ = false;
     std::uint64_t max_steps_ = k_max_steps;  // and one for each token of the text
-    std::uint64_t steps_ = 0, shapes_ = 0;
+    std::uint64_t steps_ = 0, shapes_ = 0, list_bytes_ = 0;
     int nesting_ = 0, braces_ = 0;
 };
 
