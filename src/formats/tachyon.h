@@ -54,14 +54,7 @@ struct TachyonCamera {
 enum class TachyonShader : std::uint8_t { full, medium, low, lowest };
 
 /// Rules of Tachyon's that glint has only a part of, or none; in the order of k_limit_texts.
-enum class TachyonLimit : std::uint8_t {
-    fogged_light,
-    vertex_colors,
-    endless_cylinder,
-    box_normals,
-    normal_lengths,
-    count
-};
+enum class TachyonLimit : std::uint8_t { fogged_light, endless_cylinder, box_normals, normal_lengths, count };
 
 /// Shared by the texts of one load().
 struct TachyonState {

@@ -18,7 +18,6 @@ constexpr double k_min_contribution = 0.001959;
 
 constexpr std::string_view k_limit_texts[] = {
     "the spheres of lights are in the fog here; in Tachyon they are not",
-    "glint does not mix the colors of vertices: each triangle has the mean of its three",
     "the endless cylinder ends a million radii from its Center",
     "near the edges of a box that is no cube Tachyon takes the normal of a neighbouring face; glint does not",
     ("the normals of this triangle have different lengths: glint interpolates unit normals, Tachyon the "
@@ -97,6 +96,15 @@ void finish_tachyon(LoadState& reading) {
         for (const std::uint32_t i : state.lights) {
             scene.lights[i].color = scene.lights[i].color * state.light_scale;
             scene.lights[i].specular_color = scene.lights[i].color;
+        }
+    }
+    if (state.shader == TachyonShader::lowest) {
+        // Everything is white, whatever colors the vertices have.
+        for (auto& mesh : scene.meshes) {
+            if (mesh->colors.empty()) continue;
+            auto white = std::make_shared<MeshData>(*mesh);
+            white->colors = {};
+            mesh = std::move(white);
         }
     }
     if (state.shader == TachyonShader::low || state.shader == TachyonShader::lowest) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Reads one text in Tachyon's format. The members are in tachyon.cpp (objects), tachyon_shapes.cpp,
-// tachyon_textures.cpp and tachyon_settings.cpp (camera, lights, background and modes).
+// tachyon_triangles.cpp, tachyon_textures.cpp and tachyon_settings.cpp (camera, lights, background and
+// modes).
 #include <set>
 #include <span>
 #include <string>
@@ -12,6 +13,12 @@
 #include "scene/ranges.h"
 
 namespace glint {
+
+/// Of points, vertices or facets.
+inline constexpr Range k_tachyon_count{0, 4e9, false, false, "a whole number from 0 to 4e9"};
+
+/// The largest of the numbers over the smallest.
+double tachyon_spread(const double (&numbers)[3]);
 
 class TachyonReader {
   public:
@@ -40,13 +47,18 @@ class TachyonReader {
     bool begin_clipping();
     bool end_clipping();
 
-    // tachyon_shapes.cpp
+    // tachyon_triangles.cpp
     bool read_triangle();
     bool read_smooth_triangle();
     bool read_colored_triangle();
     bool read_vertices();
-    void reserve_triangles(std::size_t count);
-    bool read_facets(std::uint32_t& material, bool is_strip);
+    bool read_facets(bool is_strip);
+    bool add_facets();
+    void add_smooth(const SmoothTriangle& triangle, std::uint32_t material);
+    void note_normals(const Vec3 (&normals)[3]);
+    void gather(const SmoothTriangle& triangle, const Color (&colors)[3], std::uint32_t material);
+
+    // tachyon_shapes.cpp
     bool read_sphere();
     bool read_finite_cylinder();
     bool read_cylinder();
@@ -54,8 +66,11 @@ class TachyonReader {
     bool read_ring();
     bool read_plane();
     bool read_box();
-    template <class T> void add(const T& shape, std::uint32_t material);
-    void add_smooth(const SmoothTriangle& triangle, std::uint32_t material);
+    template <class T> void add(const T& shape, std::uint32_t material) {
+        note(scene_.shape_texts, scene_.shapes.size(), source_place(text_, object_));
+        scene_.add(shape, material);
+        if (scene_.shapes.size() % 4096 == 0) reading_.memory.count(scene_);
+    }
 
     // tachyon_textures.cpp
     bool texture(std::uint32_t& material);
@@ -125,7 +140,11 @@ class TachyonReader {
     std::set<std::string, std::less<>, Counted<std::string>> refused_;  // textures that were reported
     CountedVector<Vec3> coordinates_, normals_;                         // of the last vertex array
     CountedVector<Color> colors_;
+    CountedVector<TriangleCorners> facets_;        // of the vertex array, that have not been added
+    CountedVector<std::uint32_t> vertex_numbers_;  // in add_facets(): in the mesh; else unset
     TachyonTexture vertex_texture_;
+    std::shared_ptr<MeshData> gathered_;  // of triangles with vertex colors
+    std::uint32_t gathered_material_ = k_none;
 };
 
 }  // namespace glint

@@ -247,25 +247,55 @@ TEST(Tachyon, ShapesOfRadius0AreNotSeen) {
 }
 
 TEST(Tachyon, ReadsVertexArrays) {
-    const Scene s = dat_scene(
-        DAT_BEGIN DAT_CAMERA DAT_LIGHT
-        "VertexArray Numverts 4 Coords 0 0 0 1 0 0 0 1 0 1 1 0 Normals 0 0 1 0 0 1 0 0 1 0 0 1 " DAT_TEXTURE
-        "TriMesh 1 0 1 2 TriStrip 4 0 1 2 3 End_VertexArray\n" DAT_SPHERE);
-    ASSERT_EQ(s.get<SmoothTriangle>().size(), 3u);
-    EXPECT_EQ(s.get<SmoothTriangle>()[1].vertices[0], (Vec3{0, 0, 0}));
-    EXPECT_EQ(s.get<SmoothTriangle>()[2].vertices[0], (Vec3{0, 1, 0})) << "every second one is turned";
-    EXPECT_EQ(s.get<SmoothTriangle>()[2].vertices[1], (Vec3{1, 0, 0}));
-    EXPECT_EQ(s.get<SmoothTriangle>()[2].vertices[2], (Vec3{1, 1, 0}));
-    EXPECT_EQ(s.shapes[0].material, s.shapes[3].material);
+    const Scene s =
+        dat_scene(DAT_BEGIN DAT_CAMERA DAT_LIGHT
+                  "VertexArray Numverts 5 Coords 9 9 9 0 0 0 1 0 0 0 1 0 1 1 0 Normals 0 1 0 0 0 1 0 0 1 0 0 "
+                  "1 0 0 1 " DAT_TEXTURE "TriMesh 1 1 2 3 TriStrip 4 1 2 3 4 End_VertexArray\n" DAT_SPHERE);
+    ASSERT_EQ(s.meshes.size(), 1u);
+    const MeshData& mesh = *s.meshes[0];
+    ASSERT_EQ(mesh.triangles.size(), 3u);
+    EXPECT_EQ(mesh.vertex_count(), 4u) << "without the vertex that no triangle has";
+    EXPECT_EQ(mesh.position(mesh.triangles[1][0]), (Vec3{0, 0, 0}));
+    EXPECT_EQ(mesh.position(mesh.triangles[2][0]), (Vec3{0, 1, 0})) << "every second one is turned";
+    EXPECT_EQ(mesh.position(mesh.triangles[2][1]), (Vec3{1, 0, 0}));
+    EXPECT_EQ(mesh.position(mesh.triangles[2][2]), (Vec3{1, 1, 0}));
+    EXPECT_EQ((*mesh.corner_normals(0))[1], (Float3{0, 0, 1}));
+    EXPECT_EQ(s.shapes[0].material, s.shapes[1].material);
 }
 
-TEST(Tachyon, ColorsOfVerticesAreAveraged) {
-    const auto s = warned_dat_scene(
-        DAT_BEGIN DAT_CAMERA DAT_LIGHT
-        "VCSTri V0 0 0 0 V1 1 0 0 V2 0 1 0 N0 0 0 1 N1 0 0 1 N2 0 0 1 C0 1 0 0 C1 0 1 0 C2 0 0 1 Ambient 0 "
-        "Diffuse 1 Specular 0 Opacity 1 VCST\n",
-        "a.dat:5:1: warning: glint does not mix the colors of vertices");
-    EXPECT_NEAR(s->materials[0].diffuse.r, 1.0 / 3, 1e-12);
+constexpr const char* k_colored_array =
+    "VertexArray Numverts 3 Coords 0 0 0 1 0 0 0 1 0 Normals 0 0 1 0 0 1 0 0 1 " DAT_TEXTURE
+    "TriMesh 1 0 1 2 Colors 1 0 0 0 1 0 0 -1 1 TriMesh 1 0 1 2 End_VertexArray\n";
+
+TEST(Tachyon, VerticesHaveColors) {
+    const Scene s = dat_scene(std::string(DAT_BEGIN DAT_CAMERA DAT_LIGHT) + k_colored_array);
+    ASSERT_EQ(s.meshes.size(), 2u) << "without and with colors";
+    EXPECT_TRUE(s.meshes[0]->colors.empty());
+    EXPECT_EQ((*s.meshes[1]->corner_values(s.meshes[1]->colors, 0))[1], (Float3{0, 1, 0}));
+    EXPECT_EQ((*s.meshes[1]->corner_values(s.meshes[1]->colors, 0))[2], (Float3{0, 0, 1})) << "at least 0";
+    const Scene white = dat_scene(
+        std::string(DAT_BEGIN "Shader_Mode Lowest End_Shader_Mode " DAT_CAMERA DAT_LIGHT) + k_colored_array);
+    EXPECT_TRUE(white.meshes.at(1)->colors.empty());
+}
+
+TEST(Tachyon, TrianglesWithColorsAreGathered) {
+    const auto triangle = [](const std::string& body) {
+        return "VCSTri V0 0 0 0 V1 1 0 0 V2 0 1 0 N0 0 0 1 N1 0 0 1 N2 0 0 1 C0 1 0 0 C1 0 1 0 C2 0 0 1 "
+               "Ambient .1 "
+               "Diffuse .5 Specular 0 Opacity 1 " +
+               body + " VCST\n";
+    };
+    const std::string plastic = "Phong Plastic .5 Phong_size 9", metal = "Phong Metal .5 Phong_size 9";
+    const Scene s = dat_scene(std::string(DAT_BEGIN DAT_CAMERA DAT_LIGHT) + triangle(plastic) + DAT_SPHERE +
+                              triangle(plastic) + triangle(metal));
+    ASSERT_EQ(s.get<Mesh>().size(), 2u);
+    EXPECT_EQ(s.meshes[0]->triangles.size(), 2u);
+    EXPECT_EQ((*s.meshes[0]->corner_values(s.meshes[0]->colors, 1))[2], (Float3{0, 0, 1}));
+    const Material plain = with_color(s.materials.at(s.shapes.at(0).material), {.2, .4, .6});
+    EXPECT_EQ(plain.diffuse, (Color{.1, .2, .3}));
+    EXPECT_EQ(plain.specular, (Color{.5, .5, .5}));
+    EXPECT_EQ(with_color(s.materials.at(s.shapes.at(2).material), {.2, .4, .6}).specular,
+              (Color{.1, .2, .3}));
 }
 
 TEST(Tachyon, ReadsFog) {

@@ -46,6 +46,10 @@ def unit(v):
 WINDING = "".join(f"STri V0 {v} N0 {unit(n)} N1 {unit(m)} N2 {unit(k)} " + texture("0.9 0.5 0.2")
                   for v, n, m, k in FACES)
 # Faces that are lit from behind, with normals to the light.
+# In the same places, with a color at each vertex.
+COLORED = "".join(f"VCSTri V0 {v} N0 {unit(n)} N1 {unit(m)} N2 {unit(k)} C0 0.9 0.2 0.1 C1 0.1 0.8 0.2 C2 {blue} 0.3 0.9 "
+                  "Ambient 0.2 Diffuse 0.6 Specular 0 Opacity 1 Phong {phong} 0.6 Phong_size 12 VCST\n"
+                  for (v, n, m, k), blue in zip(FACES, ("0.1", "0.9", "0.5", "0", "1")))
 BEHIND = "".join(f"STri V0 {x} 0.2 -1.5 V1 {x + 0.8} 2.4 -0.7 V2 {x + 1.8} 0.2 0.3 N0 {n} N1 {n} N2 {n} " + texture("0.3 0.8 0.5")
                  for x, n in ((-1.8, "-0.8 0 -0.6"), (0.3, "-0.6 0 -0.8")))
 FOGGED = "Fog Exp Start 3 End 20 Density 0.12 Color 0.9 0.3 0.2\n"
@@ -65,6 +69,13 @@ RULES = [
     rule("winding", WINDING),
     rule("light_behind_faces", BEHIND + BALL, head="Directional_Light Direction 1 -0.2 0.1 Color 1 0.9 0.8\n" + FLOOR),
     rule("vertex_array", ARRAY),
+    rule("vertex_array_colors", ARRAY.replace("TriStrip", "Colors 1 0 0 0 1 0 0 0 1 1 1 1\nTriStrip")),
+    rule("vertex_array_textures", ARRAY.replace("TriStrip 4 0 2 1 3", "TriMesh 1 0 2 1 " + texture("0.9 0.5 0.2") + "TriMesh 1 2 3 1")),
+    rule("vertex_colors", COLORED.replace("{phong}", "Plastic")),
+    rule("vertex_colors_metal", COLORED.replace("{phong}", "Metal")),
+    rule("vertex_colors_low", COLORED.replace("{phong}", "Plastic"), mode="Shader_Mode Low End_Shader_Mode"),
+    rule("vertex_colors_transparent", BALL + COLORED.replace("{phong}", "Plastic").replace("Opacity 1", "Opacity 0.6"),
+         mode="Shader_Mode Medium End_Shader_Mode"),
     rule("mirrors", BALL + "Sphere Center 0.8 0.9 -0.6 Rad 0.9 " + texture("0.3 0.6 0.9", specular=0.6)),
     rule("trans_orig", BALL + GLASS, mode="Shader_Mode Medium End_Shader_Mode"),
     rule("trans_vmd", BALL + GLASS, mode="Shader_Mode Medium Trans_VMD End_Shader_Mode"),
