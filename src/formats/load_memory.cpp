@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/memory_limit.h"
 #include "formats/load_state.h"
@@ -16,20 +17,23 @@ template <class T> std::uint64_t bytes_of(const std::vector<T>& list) {
     return list.capacity() == 0 ? 0 : MemoryBudget::list_bytes(list.capacity(), sizeof(T));
 }
 
-// Names are counted by note().
+// Names are counted by note(). Without the meshes.
 std::uint64_t bytes_of(const Scene& scene) {
     std::uint64_t bytes = bytes_of(scene.lights) + bytes_of(scene.materials) + bytes_of(scene.transforms) +
-                          bytes_of(scene.polygon_vertices) + bytes_of(scene.shapes) +
+                          bytes_of(scene.polygon_vertices) + bytes_of(scene.meshes) + bytes_of(scene.shapes) +
                           bytes_of(scene.shape_colors) + bytes_of(scene.light_texts.places) +
                           bytes_of(scene.material_texts.places) + bytes_of(scene.shape_texts.places);
 #define GLINT_KIND(Type, word) bytes += bytes_of(scene.get<Type>());
     GLINT_SHAPES(GLINT_KIND)
 #undef GLINT_KIND
-    for (const auto& mesh : scene.meshes) {
-        bytes += bytes_of(mesh->single_positions) + bytes_of(mesh->positions) + bytes_of(mesh->triangles);
-        for (const CornerValues* values : {&mesh->normals, &mesh->colors})
-            bytes += bytes_of(values->values) + bytes_of(values->corners);
-    }
+    return bytes;
+}
+
+std::uint64_t bytes_of(const MeshData& mesh) {
+    std::uint64_t bytes = sizeof(MeshData) + bytes_of(mesh.single_positions) + bytes_of(mesh.positions) +
+                          bytes_of(mesh.triangles);
+    for (const CornerValues* values : {&mesh.normals, &mesh.colors})
+        bytes += bytes_of(values->values) + bytes_of(values->corners);
     return bytes;
 }
 
@@ -57,8 +61,23 @@ void LoadMemory::add_text(std::uint64_t bytes) {
 
 void LoadMemory::count(const Scene& scene) {
     remove(scene_bytes_);
-    scene_bytes_ = bytes_of(scene);
+    // Each mesh is looked at once: there may be many.
+    for (; counted_meshes_ < scene.meshes.size(); ++counted_meshes_) {
+        const auto& mesh = scene.meshes[counted_meshes_];
+        if (mesh != growing_) {
+            mesh_bytes_ += bytes_of(*mesh);
+        } else {
+            is_growing_passed_ = true;
+        }
+    }
+    scene_bytes_ = bytes_of(scene) + mesh_bytes_ + (growing_ ? bytes_of(*growing_) : 0);
     add(scene_bytes_);
+}
+
+void LoadMemory::set_growing(std::shared_ptr<const MeshData> mesh) {
+    if (is_growing_passed_) mesh_bytes_ += bytes_of(*growing_);
+    is_growing_passed_ = false;
+    growing_ = std::move(mesh);
 }
 
 std::string LoadMemory::message() const {

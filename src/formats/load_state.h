@@ -49,12 +49,18 @@ class LoadMemory : public MemoryBudget {
     void add_text(std::uint64_t bytes);
     /// Counts what the scene holds now instead of what it held before.
     void count(const Scene& scene);
+    /// Meshes of the scene do not change once they have been counted, but for this one.
+    void set_growing(std::shared_ptr<const MeshData> mesh);
     /// "reading takes more than 64 MiB of memory ..."
     std::string message() const;
 
   private:
     bool is_default_;
     std::uint64_t text_bytes_, scene_bytes_ = 0;
+    std::shared_ptr<const MeshData> growing_;
+    std::uint64_t mesh_bytes_ = 0;  // of the scene's first meshes
+    std::size_t counted_meshes_ = 0;
+    bool is_growing_passed_ = false;  // it is one of these
 };
 
 /// Objects that LoadOptions::skip_unsupported leaves out, by their kind.

@@ -84,6 +84,7 @@ void TachyonReader::gather(const SmoothTriangle& t, const Color (&colors)[3], st
     if (!gathered_ || gathered_material_ != material) {
         gathered_ = std::make_shared<MeshData>();
         gathered_material_ = material;
+        reading_.memory.set_growing(gathered_);
         scene_.meshes.push_back(gathered_);
         add(Mesh{static_cast<std::uint32_t>(scene_.meshes.size() - 1)}, material);
     }

@@ -48,6 +48,13 @@ constexpr Hostile k_hostile[] = {
      "#declare A = light_source { 0, 1 } #for(I, 1, 20) #declare A = union { object { A } object { A } } "
      "#end A"},
     {"mesh", "mesh { #while(1) triangle { 0, x, y } #end }"},
+    {"meshes", "#while(1) mesh { triangle { 0, x, y } triangle { 0, x, z } } #end"},
+    {"single_faces",
+     "#declare T = texture { pigment { rgb x } } #declare U = texture { pigment { rgb y } } #while(1) mesh2 "
+     "{ "
+     "vertex_vectors { 3, <0,0,0>, <1,0,0>, <0,1,0> } texture_list { 2, T U } face_indices { 1, <0,1,2>, 0, "
+     "1, 0 } } "
+     "#end"},
     {"mesh2", "mesh2 { vertex_vectors { 9000000 #while(1) x, #end } }"},
     {"shapes", "#while(1) sphere { 0, 1 } #end"},
     {"boxes", "#declare I = 0; #while(1) box { 0, 1 rotate I scale <1, 2, 3> } #declare I = I + 1; #end"},

@@ -193,8 +193,9 @@ MeshParts mesh_parts(const ReadMesh& mesh) {
         }
         out.parts.push_back(std::move(part));
     }
-    for (std::size_t i = 0; i < mesh.textures.size(); ++i)
-        if (has_warnings(*mesh.textures[i])) out.warned.push_back(mesh.textures[i]);
+    for (std::uint32_t i = 0; i < mesh.textures.size(); ++i) {
+        if (looks.of(i) != k_unset && has_warnings(*mesh.textures[i])) out.warned.push_back(mesh.textures[i]);
+    }
     return out;
 }
 

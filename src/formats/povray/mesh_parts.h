@@ -20,7 +20,7 @@ struct MeshPart {
 struct MeshParts {
     CountedVector<MeshPart> parts;
     CountedVector<std::uint32_t> blended;  ///< triangles whose corners differ in more than color
-    /// Textures that have warnings of their own.
+    /// Textures of faces that have warnings of their own.
     CountedVector<std::shared_ptr<const Texture>> warned;
 };
 
@@ -29,6 +29,7 @@ class Looks {
   public:
     /// Of the textures that its faces have.
     explicit Looks(const ReadMesh& mesh);
+    /// CornerValues::k_none: no face has it.
     std::uint32_t of(std::uint32_t texture) const { return of_[texture]; }
     std::uint32_t count() const { return static_cast<std::uint32_t>(first_.size()); }
     /// The first texture with this look.

@@ -38,7 +38,6 @@ Object ObjectParser::read_mesh(const Token& word) {
     while (!failed() && (peek().word() == Word::k_triangle || peek().word() == Word::k_smooth_triangle)) {
         read_mesh_triangle(*mesh);
     }
-    allow_steps(mesh->triangles.size());
     object.mesh = std::move(mesh);
     read_modifiers(object);
     return object;
@@ -126,7 +125,6 @@ Object ObjectParser::read_mesh2(const Token& word) {
         }
     }
     check_mesh(word, *mesh, has_normal_indices);
-    allow_steps(mesh->triangles.size());
     object.mesh = std::move(mesh);
     read_modifiers(object);
     return object;

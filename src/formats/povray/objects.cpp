@@ -174,7 +174,7 @@ Object ObjectParser::read_group(const Token& word) {
         ObjectPart part = read_part();
         if (failed()) return group;
         group.count += part->count;
-        allow_steps(part->count);
+        allow_steps(part->mesh.use_count() == 1 ? part->mesh->triangles.size() : part->count);
         group.depth = std::max(group.depth, part->depth + 1);
         if (group.count > max_shapes()) {
             error(word, fmt::format("more than {} shapes", max_shapes()));

@@ -5,12 +5,23 @@
 #include "formats/povray/add_shape.h"
 
 namespace glint::povray {
+namespace {
+
+constexpr std::uint64_t k_most_uncounted_bytes = 1u << 22;  // of meshes that are not yet in the budget
+
+}  // namespace
 
 // The mesh in parts of one look. Null after an error.
 MeshParts* SceneBuilder::parts_of(const Object& object) {
     const auto known = meshes_.find(object.mesh.get());
     if (known != meshes_.end()) return &known->second.parts;
-    if (!stream_.has_room(bytes_of_parts(*object.mesh), object.at)) return nullptr;
+    const std::uint64_t bytes = bytes_of_parts(*object.mesh);
+    if (!stream_.has_room(bytes, object.at)) return nullptr;
+    stream_.allow_steps(object.mesh->triangles.size());
+    if ((uncounted_bytes_ += bytes) > k_most_uncounted_bytes) {
+        uncounted_bytes_ = 0;
+        if (!stream_.is_within_memory(object.at)) return nullptr;
+    }
     PlacedMesh& placed = meshes_[object.mesh.get()];
     placed.mesh = object.mesh;
     placed.parts = mesh_parts(*object.mesh);
@@ -36,7 +47,6 @@ void SceneBuilder::place_mesh(const Object& o, const Inherited& own) {
         if (part.index == CornerValues::k_none) {
             part.index = static_cast<std::uint32_t>(scene_.meshes.size());
             scene_.meshes.push_back(part.data);
-            if (mesh.triangles.size() > 1024 && !stream_.is_within_memory(o.at)) return;
         }
         add(Mesh{part.index}, material_of(part_own, o.at), own.map, o.at);
     }
@@ -101,6 +111,7 @@ bool SceneBuilder::gather_face(const Object& o, const Inherited& own, const Text
     if (!gathered_.data || gathered_.material != material || gathered_.is_smooth != is_smooth ||
         gathered_.is_hollow != own.is_hollow) {
         gathered_ = {std::make_shared<MeshData>(), material, is_smooth, own.is_hollow};
+        reading_.memory.set_growing(gathered_.data);
         scene_.meshes.push_back(gathered_.data);
         add(Mesh{static_cast<std::uint32_t>(scene_.meshes.size() - 1)}, material, nullptr, o.at);
     }

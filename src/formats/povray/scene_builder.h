@@ -115,6 +115,7 @@ class SceneBuilder {
         bool is_smooth = false, is_hollow = false;
     };
     Gathered gathered_;
+    std::uint64_t uncounted_bytes_ = 0;
     CountedVector<ParallelLight> parallel_lights_;
     std::optional<Token> high_bailout_;   // adc_bailout above 1/255
     std::optional<Token> no_reflection_;  // the first object with it
