@@ -135,9 +135,6 @@ class ObjReader {
         Vec3 n;
         if (point(n)) data_.normals.push_back(to_single(n));
     }
-    static Float3 to_single(const Vec3& v) {
-        return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-    }
 
     // A face with more than three corners becomes triangles that have its first corner in common. The normals
     // count if each corner has one.
