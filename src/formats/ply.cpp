@@ -27,7 +27,10 @@ bool is_whole(double x) { return x == static_cast<double>(static_cast<std::uint3
 template <class Numbers> class PlyBody {
   public:
     PlyBody(LoadState& reading, InputText where, const PlyHeader& header)
-        : reading_(reading), where_(where), header_(header), numbers_(where.text, header.end) {}
+        : reading_(reading),
+          where_(where),
+          header_(header),
+          numbers_(where.text, header.end, header.coding) {}
     ~PlyBody() { reading_.memory.remove(held_); }  // from now on the scene's
     PlyBody(const PlyBody&) = delete;
     PlyBody& operator=(const PlyBody&) = delete;
@@ -264,15 +267,8 @@ std::shared_ptr<const MeshData> read_ply_mesh(LoadState& reading, InputText wher
     static_assert(std::endian::native == std::endian::little);
     const std::optional<PlyHeader> header = read_ply_header(reading, where);
     if (!header) return nullptr;
-    switch (header->coding) {
-        case PlyCoding::ascii:
-            return PlyBody<PlyText>(reading, where, *header).read();
-        case PlyCoding::little_endian:
-            return PlyBody<PlyBinary<false>>(reading, where, *header).read();
-        case PlyCoding::big_endian:
-            return PlyBody<PlyBinary<true>>(reading, where, *header).read();
-    }
-    return nullptr;
+    if (header->coding == PlyCoding::ascii) return PlyBody<PlyText>(reading, where, *header).read();
+    return PlyBody<PlyBinary>(reading, where, *header).read();
 }
 
 void read_ply(LoadState& reading, const ReadText& text) { read_mesh_text(reading, text, read_ply_mesh); }

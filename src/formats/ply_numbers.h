@@ -15,7 +15,8 @@ namespace glint {
 /// Numbers of a text, separated by blanks.
 class PlyText {
   public:
-    PlyText(std::string_view text, std::size_t from) : text_(text), at_(text.data() + from), start_(at_) {}
+    PlyText(std::string_view text, std::size_t from, PlyCoding)
+        : text_(text), at_(text.data() + from), start_(at_) {}
 
     std::size_t offset() const { return static_cast<std::size_t>(at_ - text_.data()); }
     /// Of the number that next() has read or has not found.
@@ -44,10 +45,11 @@ class PlyText {
     const char* start_;
 };
 
-/// Binary numbers; swapped: with the most significant byte first.
-template <bool swapped> class PlyBinary {
+/// Binary numbers.
+class PlyBinary {
   public:
-    PlyBinary(std::string_view text, std::size_t from) : text_(text), at_(from) {}
+    PlyBinary(std::string_view text, std::size_t from, PlyCoding coding)
+        : text_(text), at_(from), is_big_(coding == PlyCoding::big_endian) {}
 
     std::size_t offset() const { return at_; }
     bool next(PlyType type, double& value) {
@@ -77,13 +79,14 @@ template <bool swapped> class PlyBinary {
         std::array<char, sizeof(T)> bytes;
         if (text_.size() - at_ < sizeof(T)) return false;
         std::memcpy(bytes.data(), text_.data() + at_, sizeof(T));
-        if constexpr (swapped) std::reverse(bytes.begin(), bytes.end());
+        if (is_big_) std::reverse(bytes.begin(), bytes.end());
         value = static_cast<double>(std::bit_cast<T>(bytes));
         at_ += sizeof(T);
         return true;
     }
     std::string_view text_;
     std::size_t at_;
+    bool is_big_;
 };
 
 }  // namespace glint

@@ -128,8 +128,8 @@ class StlBinary {
                 "expected `solid`, the first word of a text, or a binary header of 84 bytes, found "
                 "neither");
         }
-        const std::uint64_t count = stl_number<std::uint32_t>(text, k_stl_count);
-        const std::uint64_t room = (text.size() - k_stl_begin) / k_stl_triangle;
+        const std::size_t count = stl_number<std::uint32_t>(text, k_stl_count);
+        const std::size_t room = (text.size() - k_stl_begin) / k_stl_triangle;
         if (count > room) {
             return error(fmt::format("byte {}: expected {} triangles, found a file with room for {}",
                                      k_stl_count, count, room));

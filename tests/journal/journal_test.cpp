@@ -79,7 +79,7 @@ TEST(Journal, DifferencesAreNamed) {
     EXPECT_EQ(difference([](JournalHeader& h) { h.layers.clear(); }),
               "the list of layers is depth,normal there and not set here");
     EXPECT_EQ(difference([](JournalHeader& h) { ++h.picture_version; }),
-              "the version of glint's pictures is 4 there and 5 here");
+              "the version of glint's pictures is 5 there and 6 here");
     EXPECT_EQ(difference([](JournalHeader& h) { h.part = 2, h.parts = 3; }), "");
 }
 

@@ -259,6 +259,8 @@ TEST(Misuse, MeshesWithoutTheVerticesOfTheirTriangles) {
     mesh.normals.values = {{0, 0, 1}};
     mesh.triangles = {{0, 1, 2}};
     EXPECT_EQ(to_vec3(mesh.normals.values[0]), (Vec3{0, 0, 1}));
+    EXPECT_EQ(to_single(Vec3{0, 0.1, -0.5}), (Float3{0, 0.1F, -0.5F}));
+    EXPECT_EQ(write_ply(mesh).code, ErrorCode::invalid_argument) << "no vertices";
     EXPECT_FALSE(mesh.corner_normals(0)) << "two of its vertices have no normals";
     mesh.colors.values = {{1, 0, 0}};
     mesh.colors.corners = {{0, 0, CornerValues::k_none}};
