@@ -248,7 +248,7 @@ def test_meshes_with_colors():
     corners = np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], np.float32)
     faces = np.array([(0, 1, 2), (0, 2, 3)])
     scene = glint.Scene(glint.Light("ambient", intensity=1), size=(32, 32))
-    scene.camera = glint.Camera(projection="orthographic", position=(0, 0, 5), look_at=(0, 0, 0), size=(2, 2))
+    scene.camera = glint.Camera(projection="orthographic", position=(0, 0, 5), look_at=(0, 0, 0), width=2)
     flat = glint.Material(ambient=(1, 1, 1), color=(1, 1, 1))
     colors = corners[:, :1] / 2 + 0.5 + np.zeros((4, 3), np.float32)  # dark at the left, bright at the right
     mesh = scene.add_mesh(corners, faces, colors=colors, material=flat)
