@@ -97,6 +97,50 @@ TEST(Mesh, IsTheSameInAnyPartOfThePicture) {
     }
 }
 
+// Of surfaces at one t the first in the scene is hit, and of a mesh's triangles the first of them: in any
+// part of the picture.
+TEST(Mesh, TiesAreDecidedByTheOrderOfTheScene) {
+    const auto square = [](double size, double at) {
+        MeshData mesh;
+        mesh.positions = {{at, 0, at}, {at + size, 0, at}, {at + size, 0, at + size}, {at, 0, at + size}};
+        mesh.triangles = {{0, 2, 1}, {0, 3, 2}};
+        return std::make_shared<const MeshData>(mesh);
+    };
+    Scene scene;
+    set_size(scene, 90, 70);
+    scene.camera.position = {0, 3, -6};
+    scene.camera.look_at = {0, 0, 0};
+    Light ambient;
+    ambient.kind = LightKind::ambient;
+    scene.lights = {ambient};
+    scene.meshes = {square(3, -2), square(3, -1)};
+    for (const Color color : {Color{1, 0, 0}, Color{0, 1, 0}, Color{0, 0, 1}}) {
+        Material material;
+        material.color = material.ambient = color;
+        material.mirror = color.b > 0 ? 0.5 : 0;
+        scene.materials.push_back(material);
+    }
+    Scene polygons = scene;
+    polygons.meshes.clear();
+    scene.add(Mesh{0}, 0);
+    scene.add(Plane{{0, 0, 0}, {0, 1, 0}}, 1);
+    scene.add(Mesh{1}, 2);
+    scene.add(Sphere{{0, 1.5, 1}, 1}, 2);
+    for (const std::uint32_t index : {0u, 1u}) {
+        const MeshData& mesh = *scene.meshes[index];
+        if (index == 1) polygons.add(Plane{{0, 0, 0}, {0, 1, 0}}, 1);
+        for (const TriangleCorners& t : mesh.triangles) {
+            polygons.add(Triangle{{mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2])}},
+                         index == 0 ? 0 : 2);
+        }
+    }
+    polygons.add(Sphere{{0, 1.5, 1}, 1}, 2);
+    const std::optional<World> world = make_world(scene);
+    ASSERT_TRUE(world);
+    expect_same_crops(*world, 12);
+    EXPECT_EQ(render_world(*world).rgb, render_scene(polygons).rgb);
+}
+
 TEST(Mesh, TwoCopiesAreAsOneMeshUsedTwice) {
     Random random(39);
     Scene one = random_pair(random, 0).meshes, two = one;

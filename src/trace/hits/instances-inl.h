@@ -10,6 +10,8 @@
 #define GLINT_TRACE_INSTANCES_INL_H_
 #endif
 
+#include <bit>
+
 #include "trace/hits/trace_chunk-inl.h"
 #include "world/geometry/packed_mesh.h"
 
@@ -32,7 +34,10 @@ struct MappedRays {
     }
     HitColumns hits() { return {t, slot, element}; }
 
-    /// The packet's rays `active`, which meet the box, within their intervals in it.
+    /// The packet's rays `active`, which meet the box, within their intervals in it, whose ends belong to
+    /// them. any: else a hit at the t of the nearest one so far is found, too: HitResult decides between
+    /// them.
+    template <bool any>
     HWY_INLINE void map(const RayPacket& packet, std::uint64_t active, const RaySpan& rays,
                         const double* nearest, const float* lo, const float* hi,
                         const double* object_from_world) {
@@ -42,9 +47,13 @@ struct MappedRays {
             alignas(64) float entry[lane_count<float>()], exit[lane_count<float>()];
             store(slab.entry, entry);
             store(slab.exit, exit);
-            const double first = number::max(rays.t_min[i], static_cast<double>(entry[0])),
-                         last = number::min(nearest[i], static_cast<double>(exit[0]));
-            if (!(first <= last)) continue;
+            const double begin = static_cast<double>(entry[0]), end = static_cast<double>(exit[0]);
+            if (!(number::max(rays.t_min[i], begin) <= number::min(nearest[i], end))) continue;
+            // Hits are above t_min and below t_max.
+            const double first = rays.t_min[i] < begin ? -next_above(-begin) : rays.t_min[i],
+                         last = end < nearest[i] ? next_above(end)
+                                : any            ? nearest[i]
+                                                 : next_above(nearest[i]);
             const Ray<double> mapped = AffineMap::to_object(
                 object_from_world,
                 Ray<double>{{rays.ox[i], rays.oy[i], rays.oz[i]}, {rays.dx[i], rays.dy[i], rays.dz[i]}});
@@ -65,6 +74,12 @@ struct MappedRays {
     }
 
   private:
+    /// The least number above x, which is not NaN.
+    static HWY_INLINE double next_above(double x) {
+        if (x == k_infinity) return x;
+        const auto bits = std::bit_cast<std::int64_t>(x + 0.0);
+        return std::bit_cast<double>(bits + (bits < 0 ? -1 : 1));
+    }
     HWY_INLINE void set(int k, const Ray<double>& mapped, double first, double last) {
         origin[0][k] = mapped.origin.x, origin[1][k] = mapped.origin.y, origin[2][k] = mapped.origin.z;
         direction[0][k] = mapped.direction.x, direction[1][k] = mapped.direction.y,
@@ -90,7 +105,10 @@ void ShapeTests::instances_leaf(const ShapeClass& shapes, const RayPacket& packe
             geometry.meshes[static_cast<std::size_t>(p[MeshGeometry::k_mesh])]->geometry;
         if (mesh.bvh.nodes.empty()) continue;
         MappedRays mapped;
-        mapped.map(packet, met, rays, result.nearest.t, lo, hi, p);
+        if (result.occluded != nullptr)
+            mapped.map<true>(packet, met, rays, result.nearest.t, lo, hi, p);
+        else
+            mapped.map<false>(packet, met, rays, result.nearest.t, lo, hi, p);
         if (mapped.count == 0) continue;
         if (result.occluded != nullptr) {
             trace_chunk<true>(result.world, mesh, shape, mapped.span(), mapped.count, k_packet_size,
