@@ -18,7 +18,6 @@
 #include "cli/print_error.h"
 #include "cli/scene_arguments.h"
 #include "cli/text.h"
-#include "formats/mesh_file.h"
 
 namespace glint::cli {
 namespace {
@@ -85,8 +84,9 @@ int convert_command(ConvertArguments& arguments) {
     const Scene& scene = *loaded.scene;
     std::vector<SceneText> texts = loaded.texts;
     const std::vector<InputFile> included = open_included(loaded, texts);
-    const std::vector<std::string> mesh_files =
-        output.is_stream() ? mesh_file_names(scene) : write_mesh_files(scene, path);
+    const std::vector<std::string> mesh_files = output.is_stream()
+                                                    ? known_mesh_files(scene, arguments.scene.format)
+                                                    : write_mesh_files(scene, arguments.scene.format, output);
     const Result<std::string> written = write_glint(scene, texts, mesh_files);
     if (!written) throw_failure(written);
     const std::string& text = *written;

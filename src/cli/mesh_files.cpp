@@ -27,24 +27,52 @@ std::string name_from(const std::string& output, const std::string& file) {
     return failed || relative.empty() ? file : relative.generic_string();
 }
 
+struct NewFile {
+    OutputFile file;
+    std::string bytes;
+};
+
 }  // namespace
 
-std::vector<std::string> write_mesh_files(const Scene& scene, const std::string& output) {
+std::vector<std::string> known_mesh_files(const Scene& scene, const std::string& format) {
     std::vector<std::string> names = mesh_file_names(scene);
-    const std::string stem = output.substr(0, output.size() - extension(output).size());
-    int written = 0;
+    for (std::string& name : names) {
+        // Not standard input, nor a file of an include path, nor one whose name says another format.
+        std::error_code failed;
+        if (!format.empty() || !std::filesystem::is_regular_file(name, failed)) name.clear();
+    }
+    return names;
+}
+
+std::vector<std::string> write_mesh_files(const Scene& scene, const std::string& format,
+                                          const OutputFile& output) {
+    std::vector<std::string> names = known_mesh_files(scene, format);
+    // Beside the file that a link stands for.
+    const std::string& target = output.target();
+    const std::string stem = target.substr(0, target.size() - extension(target).size());
+    std::vector<NewFile> files;
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (!names[i].empty()) {
-            names[i] = name_from(output, names[i]);
+            names[i] = name_from(target, names[i]);
             continue;
         }
         if (scene.meshes[i]->triangles.size() <= k_readable_triangles) continue;
-        const Result<std::string> ply = write_ply(*scene.meshes[i]);
+        Result<std::string> ply = write_ply(*scene.meshes[i]);
         if (!ply) continue;  // into the text
-        const std::string path = fmt::format("{}-{}.ply", stem, ++written);
-        OutputFile("OUT", path).write({reinterpret_cast<const std::uint8_t*>(ply->data()), ply->size()});
-        names[i] = name_from(output, path);
+        const std::string path = fmt::format("{}-{}.ply", stem, files.size() + 1);
+        std::error_code failed;
+        if (std::filesystem::exists(path, failed) && !std::filesystem::exists(target, failed)) {
+            throw Failure(k_usage,
+                          fmt::format("'{}' would be overwritten, and is not of an earlier conversion: "
+                                      "choose another OUT",
+                                      path));
+        }
+        names[i] = name_from(target, path);
+        files.push_back({OutputFile("OUT", path), std::move(*ply)});
     }
+    // Nothing is written unless all may be.
+    for (const NewFile& file : files)
+        file.file.write({reinterpret_cast<const std::uint8_t*>(file.bytes.data()), file.bytes.size()});
     return names;
 }
 

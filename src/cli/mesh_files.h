@@ -4,13 +4,19 @@
 #include <string>
 #include <vector>
 
+#include "cli/output_file.h"
 #include "glint/scene.h"
 
 namespace glint::cli {
 
-/// By mesh: the name of its file, relative to the folder of `output`, a .glint file; empty: none. Meshes of
-/// files keep theirs; larger ones of the scene's texts are written beside the output, as scene-1.ply,
-/// scene-2.ply ... for scene.glint. Throws Failure.
-std::vector<std::string> write_mesh_files(const Scene& scene, const std::string& output);
+/// By mesh: the name of its file, relative to the folder of the output, a .glint file; empty: none. Meshes
+/// of files keep theirs; larger ones of the scene's texts are written beside the output, as scene-1.ply,
+/// scene-2.ply ... for scene.glint, which replace only those of an earlier conversion. format: as the user
+/// gives it; empty: by the names of files. Throws Failure.
+std::vector<std::string> write_mesh_files(const Scene& scene, const std::string& format,
+                                          const OutputFile& output);
+
+/// The same for a text that is printed: nothing is written, and names are relative to the present folder.
+std::vector<std::string> known_mesh_files(const Scene& scene, const std::string& format);
 
 }  // namespace glint::cli

@@ -20,7 +20,9 @@ class LineWords {
         wavefront  ///< a word that begins with `#` starts a comment; `\` before the line's end continues it
     };
     LineWords(std::string_view text, Syntax syntax)
-        : text_(text), is_wavefront_(syntax == Syntax::wavefront) {}
+        : text_(text), is_wavefront_(syntax == Syntax::wavefront) {
+        if (text.starts_with("\xef\xbb\xbf")) at_ = 3;  // the byte order mark of some editors
+    }
 
     /// Goes to the first line, or to the next one. False at the end of the text.
     bool next_line() {

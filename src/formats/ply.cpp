@@ -234,6 +234,11 @@ template <class Numbers> class PlyBody {
         double count = 0;
         if (!length(corners, count)) return false;
         std::uint32_t first = 0, before = 0;
+        const std::size_t more =
+            mesh_->triangles.size() + (count > 2 ? static_cast<std::size_t>(count) - 2 : 0);
+        if (more > mesh_->triangles.capacity() &&
+            !reserve(mesh_->triangles, std::max(more, 2 * mesh_->triangles.capacity())))
+            return false;
         for (int i = 0; i < static_cast<int>(count); ++i) {
             double value = 0;
             if (!number(corners.type, value)) return false;

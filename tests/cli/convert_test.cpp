@@ -97,6 +97,40 @@ TEST(Convert, WritesLargeMeshesBesideTheScene) {
     }
 }
 
+TEST(Convert, WritesNoMeshOverAnotherFile) {
+    const Folder folder;
+    constexpr std::string_view camera =
+        "camera { position = (9, 2, 40)  look_at = (9, 1, 0)  fov_y = 40 }\n"
+        "light { type = point  position = (2, 4, 5) }\n";
+    folder.write("two.glint", std::string(camera) + mesh_text(300) + mesh_text(250));
+    folder.write("w-1.ply", "mine");
+    const Finished r = run(folder, {"convert", "two.glint", "-o", "w.glint"});
+    EXPECT_EQ(r.code, 2) << r.err;
+    EXPECT_EQ(folder.read("w-1.ply"), "mine");
+    // If one may not be written, none is.
+    folder.write("a.glint", std::string(camera) + mesh_text(300) + mesh_text(250));
+    ASSERT_EQ(run(folder, {"convert", "a.glint", "-o", "b.glint"}).code, 0);
+    const std::string first = folder.read("b-1.ply");
+    folder.write("c.glint",
+                 std::string(camera) + mesh_text(260) + "mesh { file = \"b-2.ply\" }\n" + mesh_text(270));
+    const Finished refused = run(folder, {"convert", "c.glint", "-o", "b.glint"});
+    EXPECT_EQ(refused.code, 2) << refused.err;
+    EXPECT_EQ(folder.read("b-1.ply"), first);
+}
+
+TEST(Convert, NamesOnlyFilesOfMeshesThatCanBeRead) {
+    const Folder folder;
+    const std::string ply =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    folder.write("a.dat2", ply);
+    ASSERT_EQ(run(folder, {"convert", "a.dat2", "--format", "ply", "-o", "b.glint"}).code, 0);
+    EXPECT_TRUE(contains(folder.read("b.glint"), "vertices = ")) << folder.read("b.glint");
+    const Finished printed = run(folder, {"convert", "-", "--format", "ply", "-o", "-"}, with_input(ply));
+    EXPECT_TRUE(contains(printed.out, "vertices = ")) << printed.out << printed.err;
+    EXPECT_EQ(run(folder, {"render", "b.glint", "-s", "9x9", "-o", "b.ppm"}).code, 0);
+}
+
 TEST(Convert, NeverOverwritesAScene) {
     const Folder folder;
     folder.write("a.glint", k_scene);

@@ -50,6 +50,10 @@ void SceneBuilder::add_blended_face(const Object& o, const Inherited& own, std::
     for (const Texture* texture : textures) {
         if (texture->pigment.missing) report(*texture->pigment.missing);
         report(texture->missing);
+        if (texture->pigment.color[3] != textures[0]->pigment.color[3]) {
+            report({"texture_list", "with different filters at the corners of a face",
+                    stream_.call_place(o.at)});
+        }
         if (!same_light(texture->finish, textures[0]->finish)) {
             report({"texture_list", "with different finishes at the corners of a face",
                     stream_.call_place(o.at)});
@@ -60,6 +64,7 @@ void SceneBuilder::add_blended_face(const Object& o, const Inherited& own, std::
     const auto add_part = [&](const Corners& corners, const Corners& colors) {
         Texture texture = *textures[0];
         texture.pigment.color.fill(0);
+        std::array<double, 3> weights{};  // of the textures
         SmoothTriangle part;
         for (std::size_t k = 0; k < 3; ++k) {
             part.vertices[k] = mixed(points[0], points[1], points[2], corners[k]);
@@ -68,9 +73,16 @@ void SceneBuilder::add_blended_face(const Object& o, const Inherited& own, std::
                 part.vertices[k] = transform_point(*own.map, part.vertices[k]);
                 part.normals[k] = transform_normal(*object_from_world, part.normals[k]);
             }
-            for (std::size_t c = 0; c < 5; ++c) {
-                const auto at = [&](std::size_t i) { return textures[i]->pigment.color[c]; };
-                texture.pigment.color[c] += mixed(at(0), at(1), at(2), colors[k]) / 3;
+            for (std::size_t i = 0; i < 3; ++i)
+                weights[i] += mixed(i == 0 ? 1.0 : 0, i == 1 ? 1.0 : 0, i == 2 ? 1.0 : 0, colors[k]) / 3;
+        }
+        // POV-Ray mixes what each texture shows: the color of one that lets more light through counts less.
+        const auto opacity = [&](std::size_t i) { return 1 - textures[i]->pigment.color[4]; };
+        const double opaque = weights[0] * opacity(0) + weights[1] * opacity(1) + weights[2] * opacity(2);
+        for (std::size_t c = 0; c < 5; ++c) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                const double share = c < 3 && opaque > 0 ? opacity(i) / opaque : 1;
+                texture.pigment.color[c] += weights[i] * share * textures[i]->pigment.color[c];
             }
         }
         Inherited part_own = own;

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "glint/world.h"  // before the kernels, which have a Ray of their own
 #include "world/geometry/mesh_normals-inl.h"
 
 namespace glint {
