@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "base/text.h"
-#include "formats/line_words.h"
+#include "formats/line_reader.h"
 #include "math/number.h"
 #include "scene/ranges.h"
 
@@ -54,37 +54,23 @@ struct MtlStatements {
     }
 };
 
-class MtlReader {
+class MtlReader : LineReader {
   public:
     MtlReader(LoadState& reading, const ReadText& text, MtlMaterials& materials)
-        : reading_(reading),
+        : LineReader(reading, text.place, LineWords::Syntax::wavefront, "line"),
           text_(text),
-          materials_(materials),
-          words_(text.place.text, LineWords::Syntax::wavefront) {}
+          materials_(materials) {}
 
     void read() {
         for (int lines = 1; words_.next_line(); ++lines) {
             const std::string_view word = words_.next();
             if (!word.empty()) statement(word);
-            if (lines % 4096 == 0 && !reading_.diagnostics.go_on(text_.place, words_.offset())) return;
+            if (lines % 4096 == 0 && !reading_.diagnostics.go_on(where_, words_.offset())) return;
         }
         finish();
     }
 
   private:
-    bool error(std::string message) {
-        reading_.diagnostics.error(text_.place, words_.start(), words_.length(), std::move(message));
-        return false;
-    }
-    bool expected(std::string_view what) {
-        return error(words_.found().empty()
-                         ? fmt::format("the line ends here: expected {}", what)
-                         : fmt::format("expected {}, found {}", what, quoted(words_.found())));
-    }
-    void warn_once(std::string_view key, std::string message) {
-        reading_.diagnostics.warn_once(key, text_.place, words_.start(), words_.length(), std::move(message));
-    }
-
     void statement(std::string_view word) {
         if (word == "newmtl") return begin();
         if (!name_) {
@@ -192,10 +178,8 @@ class MtlReader {
         }
     }
 
-    LoadState& reading_;
     const ReadText& text_;
     MtlMaterials& materials_;
-    LineWords words_;
     std::optional<std::string> name_;  // of the material that is being read
     SourcePlace place_;
     MtlStatements now_;

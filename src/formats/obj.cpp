@@ -7,7 +7,7 @@
 
 #include "base/text.h"
 #include "formats/include.h"
-#include "formats/line_words.h"
+#include "formats/line_reader.h"
 #include "formats/mesh_file.h"
 #include "formats/mtl.h"
 #include "formats/obj_data.h"
@@ -27,17 +27,16 @@ constexpr std::string_view k_curves[] = {"p",    "l",    "curv", "curv2", "surf"
                                          "hole", "scrv", "sp",   "end",   "con",  "vp",   "cstype",
                                          "deg",  "bmat", "step", "stech", "ctech"};
 
-class ObjReader {
+class ObjReader : LineReader {
   public:
     /// is_one_mesh: without materials.
     ObjReader(LoadState& reading, const ReadText& text, bool is_one_mesh)
-        : reading_(reading),
+        : LineReader(reading, text.place, LineWords::Syntax::wavefront, "line"),
           text_(text),
-          is_one_mesh_(is_one_mesh),
-          words_(text.place.text, LineWords::Syntax::wavefront) {}
+          is_one_mesh_(is_one_mesh) {}
 
     std::shared_ptr<const MeshData> read_mesh() {
-        return read() ? ObjMeshes(data_, reading_, text_.place).make(data_.parts[0]) : nullptr;
+        return read() ? ObjMeshes(data_, reading_, where_).make(data_.parts[0]) : nullptr;
     }
     void read_scene() {
         if (read()) ObjShapes(data_, materials_, is_library_missing_, reading_, text_).add();
@@ -52,35 +51,22 @@ class ObjReader {
             if (++work_ >= 16384 && !go_on()) return false;
         }
         if (reading_.diagnostics.error_count() > errors) return false;
-        if (!vertex_numbers_.check(data_.positions.size(), "vertex", reading_, text_.place)) return false;
-        if (!normal_numbers_.check(data_.normals.size(), "normal", reading_, text_.place)) return false;
+        if (!vertex_numbers_.check(data_.positions.size(), "vertex", reading_, where_)) return false;
+        if (!normal_numbers_.check(data_.normals.size(), "normal", reading_, where_)) return false;
         if (data_.parts.empty()) {
-            reading_.diagnostics.error(text_.place, 0, 1, "no faces with three vertices");
+            reading_.diagnostics.error(where_, 0, 1, "no faces with three vertices");
             return false;
         }
         if (small_faces_ > 0) {
             reading_.diagnostics.warn(
-                text_.place, 0, 1,
+                where_, 0, 1,
                 fmt::format("{} faces with fewer than three vertices are left out", small_faces_));
         }
-        return go_on() && smooth_groups(data_, reading_, text_.place);
+        return go_on() && smooth_groups(data_, reading_, where_);
     }
     bool go_on() {
         work_ = 0;
-        return reading_.diagnostics.go_on(text_.place, words_.offset());
-    }
-
-    bool error(std::string message) {
-        reading_.diagnostics.error(text_.place, words_.start(), words_.length(), std::move(message));
-        return false;
-    }
-    bool expected(std::string_view what) {
-        return error(words_.found().empty()
-                         ? fmt::format("the line ends here: expected {}", what)
-                         : fmt::format("expected {}, found {}", what, quoted(words_.found())));
-    }
-    void warn_once(std::string_view key, std::string message) {
-        reading_.diagnostics.warn_once(key, text_.place, words_.start(), words_.length(), std::move(message));
+        return reading_.diagnostics.go_on(where_, words_.offset());
     }
 
     void statement(std::string_view word) {
@@ -243,7 +229,7 @@ class ObjReader {
                 read_library(std::string(name), at);
             } else {
                 reading_.diagnostics.warn(
-                    text_.place, at, name.size(),
+                    where_, at, name.size(),
                     fmt::format("{}: expected the name of a file that ends in .mtl", quoted(name)));
             }
         }
@@ -261,10 +247,8 @@ class ObjReader {
         }
     }
 
-    LoadState& reading_;
     const ReadText& text_;
     const bool is_one_mesh_;
-    LineWords words_;
     ObjData data_;
     ObjNumbers vertex_numbers_, normal_numbers_;
     CountedVector<ObjCorner> face_;

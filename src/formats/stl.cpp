@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "base/text.h"
-#include "formats/line_words.h"
+#include "formats/line_reader.h"
 #include "formats/merge_vertices.h"
 #include "formats/mesh_file.h"
 #include "formats/registry.h"
@@ -42,10 +42,10 @@ bool is_stl_text(std::string_view text) {
 }
 
 // A text: solids of facets. Their normals and names are not used.
-class StlText {
+class StlText : LineReader {
   public:
     StlText(LoadState& reading, InputText where)
-        : reading_(reading), where_(where), words_(where.text, LineWords::Syntax::plain) {}
+        : LineReader(reading, where, LineWords::Syntax::plain, "file") {}
 
     std::shared_ptr<const MeshData> read() {
         while (!words_.next_of_text().empty()) {
@@ -63,15 +63,6 @@ class StlText {
     }
 
   private:
-    bool error(std::string message) {
-        reading_.diagnostics.error(where_, words_.start(), words_.length(), std::move(message));
-        return false;
-    }
-    bool expected(std::string_view what) {
-        return error(words_.found().empty()
-                         ? fmt::format("the file ends here: expected {}", what)
-                         : fmt::format("expected {}, found {}", what, quoted(words_.found())));
-    }
     bool expect(std::string_view keyword) {
         return is_keyword(words_.next_of_text(), keyword) || expected(fmt::format("`{}`", keyword));
     }
@@ -110,9 +101,6 @@ class StlText {
         return true;
     }
 
-    LoadState& reading_;
-    InputText where_;
-    LineWords words_;
     CountedVector<LooseCorner<double>> corners_;
     bool is_single_ = true;  // no number needs more than single precision
 };
