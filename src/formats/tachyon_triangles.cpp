@@ -8,13 +8,11 @@
 #include "formats/tachyon_reader.h"
 #include "math/number.h"
 #include "math/transform.h"
+#include "scene/material_color.h"
 
 namespace glint {
 namespace {
 
-// Of materials whose shapes have colors. The highlights of plastic are no multiple of it, so that they keep
-// their color (with_color()).
-constexpr Color k_given_separately{1, 0.75, 0.5};
 constexpr std::uint32_t k_no_number = CornerValues::k_none;
 
 // Glint interpolates unit normals. One of 0 makes its triangles flat.
@@ -111,7 +109,7 @@ bool TachyonReader::read_colored_triangle() {
     scanner_.accept("TEXTURE");
     TachyonTexture read;
     if (!texture_body(read, true)) return false;
-    read.color = k_given_separately;
+    read.color = k_color_of_vertices;
     gather(t, c, material_of(read, object_));
     return true;
 }
@@ -167,7 +165,7 @@ bool TachyonReader::add_facets() {
     if (facets_.empty()) return true;
     const bool has_colors = !colors_.empty();
     TachyonTexture texture = vertex_texture_;
-    if (has_colors) texture.color = k_given_separately;
+    if (has_colors) texture.color = k_color_of_vertices;
     const std::uint32_t material = material_of(texture, object_);
     for (const TriangleCorners& f : facets_) note_normals({normals_[f[0]], normals_[f[1]], normals_[f[2]]});
     constexpr std::uint64_t k_vertex_bytes = sizeof(Vec3) + 2 * sizeof(Float3);

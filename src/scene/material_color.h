@@ -10,6 +10,10 @@ namespace glint {
 
 inline constexpr int k_color_factors = 3;
 
+/// For materials whose colors are those of a mesh's vertices: white and gray coefficients, as of highlights,
+/// are no multiples of it, so that they stay as they are (with_color()).
+inline constexpr Color k_color_of_vertices{1, 0.75, 0.5};
+
 /// The c from 0 to 1 with c * color == k, bit for bit, that has the fewest decimals.
 std::optional<double> find_coefficient(Color color, Color k);
 

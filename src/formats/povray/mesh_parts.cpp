@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "formats/number_table.h"
+#include "scene/material_color.h"
 
 namespace glint::povray {
 namespace {
@@ -110,13 +111,11 @@ bool is_linear_in_color(const Texture& texture) {
            p[3] == 0 && fits(p[0]) && fits(p[1]) && fits(p[2]);
 }
 
-// A color of which the white coefficients of highlights are no multiple: they keep their color
-// (with_color()).
 Texture without_color(const Texture& texture) {
     Texture out = texture;
-    out.pigment.color[0] = 1;
-    out.pigment.color[1] = 0.75;
-    out.pigment.color[2] = 0.5;
+    out.pigment.color[0] = k_color_of_vertices.r;
+    out.pigment.color[1] = k_color_of_vertices.g;
+    out.pigment.color[2] = k_color_of_vertices.b;
     return out;
 }
 
