@@ -13,7 +13,7 @@
 #include <bit>
 
 #include "trace/hits/trace_chunk-inl.h"
-#include "world/geometry/packed_mesh.h"
+#include "world/geometry/mesh_triangle-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
@@ -101,8 +101,7 @@ void ShapeTests::instances_leaf(const ShapeClass& shapes, const RayPacket& packe
         if (met == 0) continue;
         double p[MeshGeometry::k_values];
         broadcast_values<MeshGeometry::k_values>(shapes, shape, p);
-        const PackedGeometry& mesh =
-            geometry.meshes[static_cast<std::size_t>(p[MeshGeometry::k_mesh])]->geometry;
+        const PackedGeometry& mesh = mesh_of(geometry, shapes, shape).geometry;
         if (mesh.bvh.nodes.empty()) continue;
         MappedRays mapped;
         if (result.occluded != nullptr)

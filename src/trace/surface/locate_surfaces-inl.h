@@ -11,7 +11,7 @@
 #include "geometry/kinds-inl.h"
 #include "trace/batches.h"
 #include "world/appearance/appearance.h"
-#include "world/geometry/mesh_normals-inl.h"
+#include "world/geometry/mesh_triangle-inl.h"
 #include "world/geometry/packed_values-inl.h"
 #include "world/geometry/primitive_bounds-inl.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "glint/world.h"  // before the kernels, which have a Ray of their own
-#include "world/geometry/mesh_normals-inl.h"
+#include "world/geometry/mesh_triangle-inl.h"
 
 namespace glint {
 namespace {
@@ -13,17 +13,15 @@ namespace {
 using namespace HWY_NAMESPACE;
 
 // Null if the shape has no mesh.
-const MeshData* mesh_of(const PackedGeometry& geometry, const ShapeClass& shapes, SurfaceId id) {
-    if (shapes.kind != ShapeKind::mesh) return nullptr;
-    const double mesh = shapes.value(MeshGeometry::k_mesh, id.slot);
-    return geometry.meshes[static_cast<std::size_t>(mesh)]->data.get();
+const MeshData* mesh_if_any(const PackedGeometry& geometry, const ShapeClass& shapes, SurfaceId id) {
+    return shapes.kind == ShapeKind::mesh ? mesh_of(geometry, shapes, id.slot).data.get() : nullptr;
 }
 
 }  // namespace
 
 ShapeColor mesh_color(const PackedGeometry& geometry, SurfaceId id, Vec3 point) {
     const ShapeClass& shapes = geometry.class_of(id.slot);
-    const MeshData* const mesh = mesh_of(geometry, shapes, id);
+    const MeshData* const mesh = mesh_if_any(geometry, shapes, id);
     if (mesh == nullptr) return {};
     const auto colors = mesh->corner_values(mesh->colors, id.element);
     if (!colors) return {};
@@ -34,7 +32,7 @@ ShapeColor mesh_color(const PackedGeometry& geometry, SurfaceId id, Vec3 point) 
 }
 
 ShapeColor brightest_mesh_color(const PackedGeometry& geometry, SurfaceId id) {
-    const MeshData* const mesh = mesh_of(geometry, geometry.class_of(id.slot), id);
+    const MeshData* const mesh = mesh_if_any(geometry, geometry.class_of(id.slot), id);
     if (mesh == nullptr) return {};
     const auto colors = mesh->corner_values(mesh->colors, id.element);
     if (!colors) return {};

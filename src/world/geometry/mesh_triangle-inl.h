@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The normals of a triangle of a shape's mesh, and where in it a point is.
-#if defined(GLINT_WORLD_MESH_NORMALS_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef GLINT_WORLD_MESH_NORMALS_INL_H_
-#undef GLINT_WORLD_MESH_NORMALS_INL_H_
+// The triangles of a shape's mesh: their vertices, their normals, and where in one of them a point is.
+#if defined(GLINT_WORLD_MESH_TRIANGLE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_WORLD_MESH_TRIANGLE_INL_H_
+#undef GLINT_WORLD_MESH_TRIANGLE_INL_H_
 #else
-#define GLINT_WORLD_MESH_NORMALS_INL_H_
+#define GLINT_WORLD_MESH_TRIANGLE_INL_H_
 #endif
 
 #include <array>
@@ -16,6 +16,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
+
+/// The mesh of a shape of the kind `mesh`.
+inline const PackedMesh& mesh_of(const PackedGeometry& geometry, const ShapeClass& shapes,
+                                 std::uint32_t slot) {
+    return *geometry.meshes[static_cast<std::size_t>(shapes.value(MeshGeometry::k_mesh, slot))];
+}
 
 inline Triangle mesh_triangle(const MeshData& mesh, std::uint32_t element) {
     const TriangleCorners& corners = mesh.triangles[element];
@@ -44,7 +50,7 @@ inline MeshNormals mesh_normals(const PackedGeometry& geometry, const ShapeClass
                                 Vector3<double> point) {
     double p[MeshGeometry::k_values];
     broadcast_values<MeshGeometry::k_values>(shapes, id.slot, p);
-    const MeshData& mesh = *geometry.meshes[static_cast<std::size_t>(p[MeshGeometry::k_mesh])]->data;
+    const MeshData& mesh = *mesh_of(geometry, shapes, id.slot).data;
     const Triangle flat = mesh_triangle(mesh, id.element);
     double q[SmoothTriangleGeometry::k_values];
     TriangleGeometry::pack(flat, q);

@@ -7,9 +7,8 @@
 #include "base/huge_pages.h"
 #include "base/parallel_chunks.h"
 #include "bvh/rays.h"
-#include "geometry/kinds-inl.h"
 #include "math/extent.h"
-#include "world/geometry/packed_mesh.h"
+#include "world/geometry/mesh_triangle-inl.h"
 
 namespace glint {
 namespace {
@@ -18,11 +17,6 @@ using Triangles = HWY_NAMESPACE::TriangleGeometry;
 
 // Leaves of up to 8 triangles, as those of shapes (pack_shapes.cpp).
 constexpr std::array<LeafCost, 1> k_mesh_leaf_costs{};
-
-Triangle triangle_of(const MeshData& mesh, std::size_t i) {
-    const auto& [a, b, c] = mesh.triangles[i];
-    return {{mesh.position(a), mesh.position(b), mesh.position(c)}};
-}
 
 // Slots are in leaf order. Nothing but the corners and numbers of the triangles is stored by slot.
 std::shared_ptr<const PackedMesh> pack_mesh(const std::shared_ptr<const MeshData>& data,
@@ -36,7 +30,7 @@ std::shared_ptr<const PackedMesh> pack_mesh(const std::shared_ptr<const MeshData
     resize_in_huge_pages(leaves, count);
     for_all([&](std::size_t i) {
         Vec3 lo, hi;
-        Triangles::bounds(triangle_of(mesh, i), lo, hi);
+        Triangles::bounds(HWY_NAMESPACE::mesh_triangle(mesh, static_cast<std::uint32_t>(i)), lo, hi);
         const Aabb box = padded_box(lo, hi);
         BvhItem& leaf = leaves[i];
         for (int a = 0; a < 3; ++a) leaf.lo[a] = box.lo[a], leaf.hi[a] = box.hi[a];

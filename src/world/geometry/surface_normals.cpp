@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "geometry/kinds-inl.h"
-#include "world/geometry/mesh_normals-inl.h"
+#include "world/geometry/mesh_triangle-inl.h"
 #include "world/geometry/packed_geometry.h"
 #include "world/geometry/packed_values-inl.h"
 
