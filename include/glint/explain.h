@@ -116,7 +116,7 @@ struct ExplainedOcclusion {
 struct ExplainedHit {
     std::uint32_t shape = k_none;     ///< in Scene::shapes
     std::uint32_t material = k_none;  ///< in Scene::materials; k_none: the default material
-    std::uint32_t element = 0;        ///< the part of the shape: the triangle of a polygon, from 0
+    std::uint32_t element = 0;        ///< the part of the shape: the triangle of a polygon or mesh, from 0
     std::optional<Color> color;       ///< the shape's own color, in place of the material's
     Vec3 point, normal, to_eye;       ///< N as used for shading, unit; V
     bool behind = false;              ///< the ray came from the back of the shape
@@ -140,6 +140,10 @@ struct ExplainedHit {
     double highlight_share = 1;  ///< the factor of the surface's highlights, as local_share of the rest
     double fresnel = 0;          ///< for glass: the reflected fraction; 1: total internal reflection
     ExplainedSecondaryRay reflected, transmitted;
+    int triangle = -1;  ///< of a mesh, from 0; -1: the shape has no mesh
+    /// Of a mesh: the weights of the triangle's corners at P (its barycentric coordinates), by which normals
+    /// and colors are interpolated; and P in the mesh's coordinates.
+    Vec3 corner_weights, mesh_point;
     std::optional<ExplainedOcclusion> occlusion;  ///< if the scene has occlusion, in a lit shading mode
 
     /// What the surface adds to the pixel: the parts, then that of the occlusion.

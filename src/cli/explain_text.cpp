@@ -115,6 +115,13 @@ class Tree {
                                       hit.turned ? ": N flipped towards the ray" : ""));
         text_.line(depth + 1,
                    fmt::format("P {}  N {}  V {}", vec(hit.point), vec(hit.normal), vec(hit.to_eye)));
+        if (hit.triangle >= 0) {
+            text_.line(depth + 1, fmt::format("triangle {} of the mesh, weights of its corners {}{}",
+                                              hit.triangle, vec(hit.corner_weights),
+                                              scene_.shapes[hit.shape].transform == k_none
+                                                  ? std::string()
+                                                  : "; P in the mesh's coordinates " + vec(hit.mesh_point)));
+        }
         text_.line(depth + 1, material_text(scene_, hit));
         const Shading shading = scene_.settings.shading;
         if (shading == Shading::color || shading == Shading::normals) {

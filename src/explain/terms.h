@@ -50,6 +50,7 @@ inline bool has_filter(const LightTerms& terms, const TermContext&) { return is_
 inline bool has_filters(const ShadowSample& sample, const TermContext&) { return !sample.filters.empty(); }
 inline bool is_of_sample(const LightTerms& terms, const TermContext&) { return terms.sample >= 0; }
 inline bool is_transparent(const ExplainedHit& hit, const TermContext&) { return hit.transparent; }
+inline bool has_mesh(const ExplainedHit& hit, const TermContext&) { return hit.triangle >= 0; }
 inline bool has_outline(const ExplainedHit& hit, const TermContext&) { return hit.outline != 1; }
 template <bool ExplainedRay::*Flag> bool is_set(const ExplainedRay& ray, const TermContext&) {
     return ray.*Flag;
@@ -116,6 +117,11 @@ inline constexpr ExplainedTerm<ExplainedHit> k_hit_terms[] = {
     {"normal", &ExplainedHit::normal, "N as used for the lighting, a unit vector"},
     {"to_eye", &ExplainedHit::to_eye, "V"},
     {"normal_turned", &ExplainedHit::turned, "whether N was flipped towards the ray"},
+    {"triangle", &ExplainedHit::triangle, "of a mesh: the number of the triangle, from 0", terms::has_mesh},
+    {"corner_weights", &ExplainedHit::corner_weights,
+     "of a mesh: the weights of the triangle's corners, by which normals and colors are interpolated",
+     terms::has_mesh},
+    {"mesh_point", &ExplainedHit::mesh_point, "of a mesh: P in the mesh's coordinates", terms::has_mesh},
     {"weight", &ExplainedHit::weight, "the ray's weight, reduced by what glass and fog absorbed"},
     {"mirror", &ExplainedHit::mirror, "the part of the light that the mirror reflects towards the ray"},
     {"local_share", &ExplainedHit::local_share,

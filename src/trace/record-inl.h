@@ -52,6 +52,11 @@ inline ExplainedHit recorded_hit(const WorldParts& world, const SurfaceBatch& su
     hit.element = id.element;
     hit.material = surfaces.material[h];
     hit.point = vec3_at(surfaces.point, i);
+    if (const std::optional<MeshPlace> place = mesh_place(*world.geometry, id, hit.point)) {
+        hit.triangle = static_cast<int>(id.element);
+        hit.corner_weights = place->weights;
+        hit.mesh_point = place->point;
+    }
     if (const ShapeColor color = own_color(world, id, &hit.point); color.is_set()) hit.color = color.color();
     hit.normal = vec3_at(surfaces.normal, i);
     hit.to_eye = vec3_at(surfaces.to_eye, i);

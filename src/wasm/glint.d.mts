@@ -362,6 +362,12 @@ export interface HitTerms {
     to_eye: Vec3;
     /** whether N was flipped towards the ray */
     normal_turned: boolean;
+    /** of a mesh: the number of the triangle, from 0 */
+    triangle?: number;
+    /** of a mesh: the weights of the triangle's corners, by which normals and colors are interpolated */
+    corner_weights?: Vec3;
+    /** of a mesh: P in the mesh's coordinates */
+    mesh_point?: Vec3;
     /** the ray's weight, reduced by what glass and fog absorbed */
     weight: Vec3;
     /** the part of the light that the mirror reflects towards the ray */

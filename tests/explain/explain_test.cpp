@@ -297,5 +297,38 @@ TEST(Explain, InvalidRequests) {
     EXPECT_NE(explain(*scene, *world, 0, 0, {-1, "avx9"}).message, "");
 }
 
+TEST(Explain, SaysWhereInAMeshAPointIs) {
+    MeshData mesh;
+    mesh.single_positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}, {5, -5, 0}};
+    mesh.triangles = {{0, 1, 3}, {0, 1, 2}};
+    mesh.colors.values = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
+    Scene scene;
+    scene.settings.width = scene.settings.height = 40;
+    scene.camera.position = {7, 0, 5};
+    scene.camera.look_at = {7, 0, 0};
+    scene.lights.push_back({.position = {7, 2, 4}});
+    scene.meshes.push_back(std::make_shared<const MeshData>(mesh));
+    scene.transforms.resize(1);
+    scene.transforms[0].m[0][3] = 7;
+    scene.transforms[0].m[1][3] = 0.25;
+    scene.add(Mesh{0}, k_none, 0);
+    const Result<World> world = prepare(scene);
+    ASSERT_TRUE(world);
+    const Explanation e = explain(scene, *world, 19, 20).value();
+    ASSERT_TRUE(e.rays[0].hit);
+    const ExplainedHit& hit = *e.rays[0].hit;
+    EXPECT_EQ(hit.triangle, 1);
+    EXPECT_LT(length(hit.mesh_point - (hit.point - Vec3{7, 0.25, 0})), 1e-12);
+    const Vec3 w = hit.corner_weights;
+    EXPECT_NEAR(w.x + w.y + w.z, 1, 1e-12);
+    EXPECT_LT(
+        length(mesh.position(0) * w.x + mesh.position(1) * w.y + mesh.position(2) * w.z - hit.mesh_point),
+        1e-9);
+    ASSERT_TRUE(hit.color);
+    EXPECT_NEAR(hit.color->r, w.x, 1e-6);
+    EXPECT_NEAR(hit.color->g, w.y, 1e-6);
+    EXPECT_NEAR(hit.color->b, w.z, 1e-6);
+}
+
 }  // namespace
 }  // namespace glint::test

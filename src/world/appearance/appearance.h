@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "world/geometry/mesh_colors.h"
+#include "world/geometry/mesh_surface.h"
 #include "world/world.h"
 
 namespace glint {

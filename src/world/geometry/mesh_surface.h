@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The colors of a triangle of a shape's mesh.
+// The colors of a triangle of a shape's mesh, and where in it a point is.
+#include <optional>
+
 #include "glint/scene.h"
 #include "world/geometry/packed_geometry.h"
 
@@ -12,5 +14,12 @@ ShapeColor mesh_color(const PackedGeometry& geometry, SurfaceId id, Vec3 point);
 
 /// The largest color of the triangle's corners, by channel.
 ShapeColor brightest_mesh_color(const PackedGeometry& geometry, SurfaceId id);
+
+/// Where a point of a triangle of a shape's mesh is.
+struct MeshPlace {
+    Vec3 weights;  // of the corners
+    Vec3 point;    // in the mesh's coordinates
+};
+std::optional<MeshPlace> mesh_place(const PackedGeometry& geometry, SurfaceId id, Vec3 point);
 
 }  // namespace glint

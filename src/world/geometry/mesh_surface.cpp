@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "world/geometry/mesh_colors.h"
+#include "world/geometry/mesh_surface.h"
 
 #include <array>
 #include <optional>
@@ -40,6 +40,17 @@ ShapeColor brightest_mesh_color(const PackedGeometry& geometry, SurfaceId id) {
     for (const Float3& c : *colors)
         most = {number::max(most.r, c.x), number::max(most.g, c.y), number::max(most.b, c.z)};
     return most;
+}
+
+std::optional<MeshPlace> mesh_place(const PackedGeometry& geometry, SurfaceId id, Vec3 point) {
+    const ShapeClass& shapes = geometry.class_of(id.slot);
+    const MeshData* const mesh = mesh_if_any(geometry, shapes, id);
+    if (mesh == nullptr) return {};
+    double map[MeshGeometry::k_values];
+    broadcast_values<MeshGeometry::k_values>(shapes, id.slot, map);
+    const std::array<double, 3> weights = mesh_barycentrics(shapes, *mesh, id, {point.x, point.y, point.z});
+    const Vector3<double> p = AffineMap::affine(map, Vector3<double>{point.x, point.y, point.z});
+    return MeshPlace{{weights[0], weights[1], weights[2]}, {p.x, p.y, p.z}};
 }
 
 }  // namespace glint
