@@ -49,6 +49,9 @@ constexpr CheckKind k_kinds[] = {
     {"seen-from-behind", "flat surfaces are seen from behind, and the conventions do not turn their normals"},
     {"normals-against-winding", "vertex normals point against the triangle's winding"},
     {"normals-on-both-sides", "a triangle's vertex normals point to both sides of it"},
+    {"mesh-winding", "triangles of a mesh face the other way than their neighbours"},
+    {"mesh-duplicates", "triangles of a mesh have the same vertices"},
+    {"mesh-without-area", "triangles of a mesh have no area"},
     {"normal-not-unit", "a normal's length is not 1, but the scene's format uses it as a unit vector"},
     {"direction-not-unit", "a light's direction does not have length 1, and is not normalised"},
     {"material-unused", "no shape uses a material"},
@@ -94,7 +97,7 @@ class Steps {
 
 Result<std::vector<Finding>> run_checks(const Scene& scene, const World& world, const CheckOptions& options) {
     CheckContext context(scene, world, options);
-    Steps steps(options, 8);
+    Steps steps(options, 9);
     std::optional<VisibleHits> visible;
     steps.run([&] { visible.emplace(context); });
     bool sees = false;
@@ -112,6 +115,7 @@ Result<std::vector<Finding>> run_checks(const Scene& scene, const World& world, 
         check_shapes(context, *visible, explained);
     });
     run_if_seen([&] { check_normals(context, *visible); });
+    steps.run([&] { check_meshes(context); });
     steps.run([&] { check_vectors(context); });
     steps.run([&] { check_materials(context, sees); });
     run_if_seen([&] { check_picture(context, *visible); });

@@ -32,6 +32,8 @@ void check_flat_shapes(CheckContext& context, const VisibleHits& visible, std::v
 void check_shapes(CheckContext& context, const VisibleHits& visible, const std::vector<bool>& explained);
 /// Surfaces whose back faces the viewer, and vertex normals on the wrong side of their triangle.
 void check_normals(CheckContext& context, const VisibleHits& visible);
+/// Triangles of meshes that contradict their neighbours, their normals, or each other.
+void check_meshes(CheckContext& context);
 /// Vectors that their source requires to be unit vectors.
 void check_vectors(CheckContext& context);
 /// Unused materials, and unusual values of materials. sees: the camera sees shapes.

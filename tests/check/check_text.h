@@ -15,8 +15,9 @@ inline std::vector<Finding> check_loaded(const Scene& scene, std::span<const Sce
     options.texts = texts;
     const std::vector<Finding> findings = check(scene, options).value();
     for (const Finding& f : findings) {
-        // Notes are about models of many shapes.
-        const bool may_note = scene.shapes.size() > 64 && f.diagnostic.severity == Severity::note;
+        // Notes are about models of many shapes or triangles.
+        const bool may_note =
+            (scene.shapes.size() > 64 || !scene.meshes.empty()) && f.diagnostic.severity == Severity::note;
         EXPECT_TRUE(may_note || f.diagnostic.severity == Severity::warning) << f.id;
         EXPECT_FALSE(f.diagnostic.message.empty()) << f.id;
         EXPECT_FALSE(f.remedy.empty()) << f.id;

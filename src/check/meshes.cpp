@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// Triangles of meshes that contradict their neighbours, their normals, or each other.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "check/checks.h"
+
+namespace glint {
+namespace {
+
+constexpr double k_few_triangles = 0.01;  // of a mesh's triangles: programs that export meshes make some
+
+// Triangles of a mesh, by number.
+struct Odd {
+    std::size_t count = 0;
+    std::uint32_t first = 0;  // the least
+    void add(std::uint32_t triangle) {
+        first = count == 0 ? triangle : std::min(first, triangle);
+        ++count;
+    }
+};
+
+class MeshCheck {
+  public:
+    MeshCheck(CheckContext& context, const MeshData& mesh, std::uint32_t shape)
+        : context_(context), mesh_(mesh), shape_(shape) {}
+
+    void run() {
+        check_areas();
+        check_normals();
+        check_duplicates();
+        check_winding();
+    }
+
+  private:
+    Vec3 face(std::uint32_t triangle) const {
+        const auto& [a, b, c] = mesh_.triangles[triangle];
+        return cross(mesh_.position(b) - mesh_.position(a), mesh_.position(c) - mesh_.position(a));
+    }
+    std::uint32_t size() const { return static_cast<std::uint32_t>(mesh_.triangles.size()); }
+
+    void report(std::string_view id, const Odd& odd, std::string_view what, std::string remedy,
+                bool is_harmless = false) {
+        if (odd.count == 0) return;
+        const bool few = static_cast<double>(odd.count) < k_few_triangles * static_cast<double>(size());
+        context_.report(
+            id, context_.at_shape(shape_),
+            fmt::format("{}: {} of the {} triangles of its mesh {}; the first is number {}, from 0",
+                        context_.shape(shape_), odd.count, size(), what, odd.first),
+            std::move(remedy), few || is_harmless ? Severity::note : Severity::warning);
+    }
+
+    void check_areas() {
+        Odd flat;
+        for (std::uint32_t i = 0; i < size(); ++i) {
+            if (face(i) == Vec3{}) flat.add(i);
+        }
+        report("mesh-without-area", flat, "have no area, so that no ray hits them", "leave them out", true);
+    }
+
+    // In the mesh's coordinates: a transform that mirrors would reverse the winding, but not the normals.
+    void check_normals() {
+        Odd against, mixed;
+        for (std::uint32_t i = 0; i < size(); ++i) {
+            const auto normals = mesh_.corner_normals(i);
+            if (!normals) continue;
+            const Vec3 n = face(i);
+            const auto backward = std::count_if(normals->begin(), normals->end(),
+                                                [&](const Float3& m) { return dot(to_vec3(m), n) < 0; });
+            if (backward == 3) against.add(i);
+            if (backward == 1 || backward == 2) mixed.add(i);
+        }
+        report("normals-against-winding", against,
+               "have vertex normals that point to the side from which their vertices are clockwise",
+               "reverse the normals, or the order of the vertices");
+        report("normals-on-both-sides", mixed, "have vertex normals that point to different sides of them",
+               "make the three normals of a triangle point to one side of it");
+    }
+
+    // Three numbers to compare, and a fourth that belongs to them.
+    using Row = std::array<std::uint32_t, 4>;
+
+    void check_duplicates() {
+        std::vector<Row> rows;
+        rows.reserve(size());
+        for (std::uint32_t i = 0; i < size(); ++i) {
+            TriangleCorners t = mesh_.triangles[i];
+            std::sort(t.begin(), t.end());
+            rows.push_back({t[0], t[1], t[2], i});
+        }
+        std::sort(rows.begin(), rows.end());
+        Odd twice;
+        for (std::size_t i = 1; i < rows.size(); ++i) {
+            if (std::equal(rows[i].begin(), rows[i].end() - 1, rows[i - 1].begin())) twice.add(rows[i][3]);
+        }
+        report("mesh-duplicates", twice, "have the vertices of another one",
+               "leave them out: of two triangles in one place the first is drawn");
+    }
+
+    // An edge of two triangles that both have it in the same direction: one of them faces the other way.
+    void check_winding() {
+        std::vector<Row> rows;  // of an edge: its vertices in order, the triangle, its first corner there
+        rows.reserve(3 * std::size_t{size()});
+        for (std::uint32_t i = 0; i < size(); ++i) {
+            const TriangleCorners& t = mesh_.triangles[i];
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                const std::uint32_t from = t[k], to = t[(k + 1) % 3];
+                if (from != to) rows.push_back({std::min(from, to), std::max(from, to), i, k});
+            }
+        }
+        std::sort(rows.begin(), rows.end());
+        Odd turned;
+        const auto corner = [&](const Row& row, std::uint32_t further) {
+            return mesh_.triangles[row[2]][(row[3] + further) % 3];
+        };
+        for (std::size_t i = 0, end = 0; i < rows.size(); i = end) {
+            while (end < rows.size() && rows[end][0] == rows[i][0] && rows[end][1] == rows[i][1]) ++end;
+            if (end - i != 2) continue;
+            const Row &a = rows[i], &b = rows[i + 1];
+            // Two with the same three vertices are duplicates.
+            if (corner(a, 0) == corner(b, 0) && corner(a, 2) != corner(b, 2)) turned.add(b[2]);
+        }
+        // Where the conventions turn all normals to the ray, flat triangles look the same from both sides.
+        const Facing facing = context_.world().conventions.facing;
+        report("mesh-winding", turned, "face the other way than a neighbour",
+               "reverse the order of their vertices", facing == Facing::all || facing == Facing::open);
+    }
+
+    CheckContext& context_;
+    const MeshData& mesh_;
+    const std::uint32_t shape_;  // the first one that has it
+};
+
+}  // namespace
+
+void check_meshes(CheckContext& context) {
+    const Scene& scene = context.scene();
+    std::vector<bool> is_done(scene.meshes.size());
+    for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
+        if (scene.shapes[i].kind != ShapeKind::mesh) continue;
+        const std::uint32_t mesh = scene.get<Mesh>()[scene.shapes[i].index].mesh;
+        if (is_done[mesh]) continue;
+        is_done[mesh] = true;
+        MeshCheck(context, *scene.meshes[mesh], i).run();
+    }
+}
+
+}  // namespace glint

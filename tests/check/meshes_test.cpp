@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Triangles of meshes that contradict each other or their normals, planted, and what is no mistake.
+#include "check/check_text.h"
+
+namespace glint::test {
+namespace {
+
+// A strip of squares, two triangles each. `change` replaces the text of triangle 1.
+std::string strip(const std::string& change = {}, const std::string& more = {}) {
+    std::string vertices, triangles;
+    for (int i = 0; i < 5; ++i) {
+        vertices += fmt::format("{}({}, 1, 2), ({}, 2, 2)", i > 0 ? ", " : "", 0.2 * i, 0.2 * i);
+        if (i == 4) break;
+        triangles += i > 0 ? ", " : "";
+        triangles += fmt::format("({}, {}, {}), ", 2 * i, 2 * i + 2, 2 * i + 1);
+        const std::string second = fmt::format("({}, {}, {})", 2 * i + 2, 2 * i + 3, 2 * i + 1);
+        triangles += i == 0 && !change.empty() ? change : second;
+    }
+    return "mesh { vertices = (" + vertices + ")  triangles = (" + triangles + ") " + more + "}\n";
+}
+std::string normals(const std::string& one, const std::string& last) {
+    std::string list = "normals = (";
+    for (int i = 0; i < 9; ++i) list += one + ", ";
+    return list + last + ") ";
+}
+
+TEST(CheckMeshes, SayNothingOfASoundMesh) {
+    EXPECT_EQ(ids_of(k_clean + strip()), "");
+    EXPECT_EQ(ids_of(k_clean + strip({}, normals("(0, 0, 1)", "(0, 0.1, 1)"))), "");
+    // A mirrored one is turned around with all that it has.
+    EXPECT_EQ(ids_of(k_clean + "group { scale = (-1, 1, 1)\n" + strip({}, normals("(0, 0, 1)", "(0, 0, 1)")) +
+                     "}\n"),
+              "");
+}
+
+TEST(CheckMeshes, TurnedTriangles) {
+    const std::string turned = strip("(2, 1, 3)");
+    EXPECT_TRUE(has(only_message(k_clean + turned),
+                    "2 of the 8 triangles of its mesh face the other way than a neighbour; the first is "
+                    "number 1, from 0"))
+        << only_message(k_clean + turned);
+    EXPECT_EQ(ids_of("conventions { facing = none }\n" + k_clean + turned), "mesh-winding@8");
+}
+
+TEST(CheckMeshes, DuplicatesAndTrianglesWithoutArea) {
+    EXPECT_EQ(ids_of(k_clean + strip("(2, 1, 0)")), "mesh-duplicates@7");
+    EXPECT_EQ(ids_of(k_clean + strip("(2, 2, 0)")), "mesh-without-area@7");
+}
+
+TEST(CheckMeshes, NormalsAgainstTheWinding) {
+    EXPECT_EQ(ids_of(k_clean + strip({}, normals("(0, 0, -1)", "(0, 0, -1)"))), "normals-against-winding@7");
+    EXPECT_EQ(ids_of(k_clean + strip({}, normals("(0, 0, 1)", "(0, 0, -1)"))), "normals-on-both-sides@7");
+}
+
+}  // namespace
+}  // namespace glint::test
