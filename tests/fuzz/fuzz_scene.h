@@ -49,17 +49,27 @@ inline std::string fuzz_explain(const Scene& scene, const World& world, const Im
     return {};
 }
 
+/// Few samples of everything, so that a scene that asks for many is not reported as one that hangs.
+inline void reduce_samples(Scene& scene) {
+    RenderSettings& settings = scene.settings;
+    settings.width = std::min(settings.width, 16);
+    settings.height = std::min(settings.height, 16);
+    settings.samples = 1;
+    settings.reflections = std::min(settings.reflections, 3);
+    for (Light& light : scene.lights) {
+        light.samples_u = std::min(light.samples_u, 4);
+        light.samples_v = std::min(light.samples_v, 4);
+    }
+    if (scene.occlusion) scene.occlusion->samples = std::min(scene.occlusion->samples, 16);
+}
+
 /// Loads the text; if it is a scene, renders it with few pixels and explains some of them. Returns an error
 /// message or an empty string.
 inline std::string fuzz_render(std::string_view text, std::string format) {
     const SceneText texts[] = {{"fuzz", text, std::move(format)}};
     Result<Scene> loaded = load(texts);
     if (!loaded) return {};
-    RenderSettings& settings = loaded->settings;
-    settings.width = std::min(settings.width, 16);
-    settings.height = std::min(settings.height, 16);
-    settings.samples = 1;
-    settings.reflections = std::min(settings.reflections, 3);
+    reduce_samples(*loaded);
     const Result<World> prepared = prepare(*loaded, {.threads = 1});
     if (!prepared) return "a scene that load() takes and prepare() does not";
     RenderOptions options;
