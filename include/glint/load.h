@@ -55,6 +55,10 @@ struct LoadOptions {
     /// (Diagnostic::left_out). Without this they are errors. Objects that are cut, and surfaces with
     /// patterns, are drawn without these, with a warning.
     bool skip_unsupported = false;
+    /// The direction from the mesh to the eye, not 0, for files of meshes that are rendered by themselves
+    /// (.ply, .stl, .obj); its lights turn with it. y is up, in views along y -z or z. By default the eye is
+    /// in front (+z), a little to the right and above. An error for other scenes.
+    std::optional<Vec3> view = {};
 };
 
 /// The default of LoadOptions::max_memory for texts of this length in bytes: 2 GiB and 256 times the length;

@@ -525,6 +525,7 @@ class SceneState:
         folders: Sequence[str],
         includes: str,
         skip_unsupported: bool,
+        view: str,
         progress: _Report,
     ) -> None: ...
     def render(

@@ -17,6 +17,7 @@ from ._scene import Scene
 from ._settings import profiles, to_list
 
 SceneLike = Union[Scene, PathLike]
+View = Union[None, str, Sequence[float]]
 
 
 def _load(
@@ -29,6 +30,7 @@ def _load(
     includes: str,
     max_memory: int,
     skip_unsupported: bool,
+    view: View,
     progress: Progress,
 ) -> Scene:
     profile_text = None
@@ -47,6 +49,7 @@ def _load(
             folders,
             includes,
             skip_unsupported,
+            view if isinstance(view, str) else ",".join(str(float(x)) for x in view or ()),
             report,
         )
     return scene
@@ -68,6 +71,7 @@ def load(
     seed: Optional[int] = None,
     max_memory: int = 0,
     skip_unsupported: bool = False,
+    view: View = None,
     progress: Progress = None,
 ) -> Scene:
     """The scene of one file, or of several together: .cgfs, .json, .js, .pov, .nff, .dat, .ply, .stl, .obj
@@ -77,7 +81,8 @@ def load(
     file that holds several; include_path: a folder, or several, with files that the scene includes and that are
     not beside it; profile: one of glint.profiles, or a file of `key = value` lines. max_memory: bytes that
     reading may take; 0: 2 GiB and 256 times the length of the texts. skip_unsupported: objects that glint does not
-    render are left out, with warnings that name and count them; else they are errors.
+    render are left out, with warnings that name and count them; else they are errors. view: where a mesh without
+    a camera is seen from: 'front', 'iso', or the direction (x, y, z) from the mesh to the eye.
     Raises GlintError with the place of each mistake, FileNotFoundError, and MemoryError beyond max_memory, with
     the place.
     """
@@ -98,6 +103,7 @@ def load(
         "any",
         max_memory,
         skip_unsupported,
+        view,
         progress,
     )
 
@@ -118,19 +124,20 @@ def loads(
     include_path: Union[PathLike, Sequence[PathLike]] = (),
     max_memory: int = 0,
     skip_unsupported: bool = False,
+    view: View = None,
 ) -> Scene:
     """The scene of a text: 'cgfs', 'epfl', 'csc473', 'povray', 'nff', 'tachyon', 'ply', 'stl', 'obj' or
     'glint'.
 
     name: for messages; a file that the text includes is looked for beside a file of this name, then in
     include_path, a folder or several, and never outside of these folders. includes: False: no file is read.
-    max_memory, skip_unsupported: as of load().
+    max_memory, skip_unsupported, view: as of load().
     """
     texts = [(name, text.encode(), format)]
     reach = "folder" if includes else "none"
     folders = _folders(include_path)
     return _load(
-        texts, scene_name, profile, {}, None, folders, reach, max_memory, skip_unsupported, None
+        texts, scene_name, profile, {}, None, folders, reach, max_memory, skip_unsupported, view, None
     )
 
 

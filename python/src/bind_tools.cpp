@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "cli/explain_text.h"
 #include "cli/file_policy.h"
+#include "cli/view_argument.h"
 #include "errors.h"
 #include "rendering.h"
 #include "scene_state.h"
@@ -40,7 +41,7 @@ void load_texts(SceneState& state,
                 const std::optional<std::pair<std::string, std::string>>& profile_text,
                 const SettingList& settings, std::uint64_t max_memory,
                 const std::vector<std::string>& folders, const std::string& includes, bool skip_unsupported,
-                const py::object& progress) {
+                const std::string& view, const py::object& progress) {
     std::vector<SceneText> views;
     cli::FileReach reach{.is_confined = includes != "any", .folders = folders};
     for (const auto& text : texts) reach.folders.push_back(cli::folder_of(std::get<0>(text)));
@@ -51,6 +52,10 @@ void load_texts(SceneState& state,
     options.settings = settings;
     options.max_memory = max_memory;
     options.skip_unsupported = skip_unsupported;
+    if (!view.empty()) {
+        options.view = cli::parse_view(view);
+        if (!options.view) throw py::value_error("view: " + cli::view_message(view));
+    }
     if (profile_text) options.profile_text = SceneText{profile_text->first, profile_text->second, {}};
     IncludedFiles sources(folders, std::move(reach));
     Result<Scene> result = run(progress, [&](Running& running) {

@@ -229,6 +229,19 @@ def test_compares(scene):
         glint.compare(good, scene.render(size=(4, 4)))
 
 
+def test_view_of_a_mesh(tmp_path):
+    path = tmp_path / "a.stl"
+    path.write_text(
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex -1 0 0\nvertex 1 0 0\nvertex 0 0 2\nendloop\nendfacet\nendsolid a\n"
+    )
+    pictures = [glint.load(path, size=(20, 20), view=view).render() for view in (None, "iso", (2, 2.0, 2))]
+    assert pictures[1] == pictures[2] != pictures[0]
+    with pytest.raises(ValueError, match="expected front, iso or"):
+        glint.load(path, view="back")
+    with pytest.raises(glint.GlintError, match="only meshes without a camera have a view"):
+        glint.load(CASTLE, view="front")
+
+
 def test_versus_and_convert(scene, tmp_path):
     result = glint.versus(scene, {"shading": "phong"}, {"shading": "blinn-phong"})
     assert result.a == scene.render(shading="phong") and result.b == scene.render()

@@ -14,6 +14,7 @@
 #include "cli/repeated_option.h"
 #include "cli/text.h"
 #include "cli/validators.h"
+#include "cli/view_argument.h"
 #include "formats/load_validated.h"
 #include "formats/registry.h"
 
@@ -118,6 +119,7 @@ void add_convention_arguments(CLI::App& command, SceneArguments& arguments) {
         ->option_text("KEY=VALUE");
     command.add_flag("--skip-unsupported", arguments.skip_unsupported,
                      "Leave out objects that glint does not render; warnings name and count them");
+    add_view_argument(command, arguments.view);
 }
 
 FileReach reach_of_includes(const SceneArguments& arguments) {
@@ -134,6 +136,7 @@ LoadOptions load_options(const SceneArguments& arguments, TextReader& reader,
     options.max_memory = arguments.max_memory;
     options.declared = arguments.declared;
     options.skip_unsupported = arguments.skip_unsupported;
+    options.view = arguments.view;
     add_profile(arguments.profile, options, reader, profile_file);
     add_conventions(arguments, options);
     return options;

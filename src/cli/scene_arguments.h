@@ -3,6 +3,7 @@
 // The scene options that all commands share.
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,7 @@ struct SceneArguments {
     /// Includes only from the folders of the files and the include paths.
     bool is_confined = false;
     bool skip_unsupported = false;  ///< of LoadOptions
+    std::optional<Vec3> view;       ///< of LoadOptions
     bool is_named_by_file = false;  ///< another file names the files, not the user
     std::uint64_t max_memory = 0;   // of LoadOptions
     /// Set by the command from its own options, before load_scene.

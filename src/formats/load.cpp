@@ -10,6 +10,8 @@
 #include "base/status.h"
 #include "formats/profile_file.h"
 #include "formats/registry.h"
+#include "math/number.h"
+#include "math/transform.h"
 
 namespace glint {
 namespace {
@@ -47,6 +49,7 @@ class Loader {
             for (const Format& format : all_formats()) {
                 if (format.finish) format.finish(reading_);
             }
+            check_view();
             ask_for_memory(texts_.back());
             reading_.left_out.report(reading_.diagnostics);
             if (reading_.camera_wanted && !reading_.camera_given && !reading_.scene.camera.frame) {
@@ -148,6 +151,15 @@ class Loader {
     // Reports what is too much at the end of a text.
     void ask_for_memory(const SceneText& text) {
         (void)reading_.is_within_memory({text.name, text.text}, text.text.size());
+    }
+
+    void check_view() {
+        if (!options_.view) return;
+        const double distance = length(*options_.view);
+        if (!(distance > 0 && distance < number::k_infinity))
+            add(Severity::error, "", "the view has no direction");
+        if (!reading_.is_view_used && !reading_.diagnostics.any_errors())
+            add(Severity::error, "", "only meshes without a camera have a view");
     }
 
     void apply_settings() {

@@ -104,6 +104,7 @@ struct LoadState {
     std::map<std::uint16_t, std::uint32_t> meshes;     ///< in Scene::meshes, by the text's index in `texts`
     std::optional<std::uint16_t> lone_mesh;            ///< the caller's text that is a file of a mesh
     double mesh_ambient_light = 1;                     ///< what such a scene has if it has no lights
+    bool is_view_used = false;                         ///< LoadOptions::view
     bool camera_given = false, background_given = false;
     bool camera_included = false, background_included = false;  ///< set by an included text
     bool is_include_missing = false;                            ///< a text could not be read

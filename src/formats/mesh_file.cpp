@@ -20,6 +20,8 @@ constexpr double k_distance = 2.9238044001630876;  // 1 / sin(k_fov_degrees / 2)
 constexpr Vec3 k_to_eye{0.5, 0.4, 1};
 // The main light is above the eye, to its left. A weaker one, without shadows, comes from the eye.
 constexpr Vec3 k_to_light{-0.25, 1.2, 1};
+constexpr double k_light_up = 0.75,
+                 k_light_left = 0.6;  // almost the same for other views, in the eye's frame
 constexpr double k_main_light = 0.8, k_eye_light = 0.2;
 
 std::optional<std::uint32_t> mesh_of_text(LoadState& reading, const ReadText& text, MeshReader read) {
@@ -51,7 +53,20 @@ template <class Visit> void for_each_vertex(const Scene& scene, const Visit& vis
     }
 }
 
-void place_camera(Scene& scene) {
+struct View {
+    Vec3 to_eye = k_to_eye, to_light = k_to_light, up{0, 1, 0};
+};
+
+View view_from(const std::optional<Vec3>& direction) {
+    if (!direction) return {};
+    const Vec3 to_eye = normalize(*direction);
+    Vec3 up{0, 1, 0}, right = cross(up, to_eye);
+    if (!(length(right) > 1e-6)) up = {0, 0, to_eye.y > 0 ? -1.0 : 1.0}, right = cross(up, to_eye);
+    right = normalize(right);
+    return {to_eye, to_eye + cross(to_eye, right) * k_light_up - right * k_light_left, up};
+}
+
+void place_camera(Scene& scene, const View& view) {
     Extent box;
     for_each_vertex(scene, [&](Vec3 v) { box.add(v); });
     const Vec3 middle = (box.lo + box.hi) / 2;
@@ -59,7 +74,8 @@ void place_camera(Scene& scene) {
     for_each_vertex(scene, [&](Vec3 v) { radius = number::max(radius, length(v - middle)); });
     if (!(radius > 0)) radius = 1;
     scene.camera.look_at = middle;
-    scene.camera.position = middle + normalize(k_to_eye) * (radius * k_distance);
+    scene.camera.position = middle + normalize(view.to_eye) * (radius * k_distance);
+    scene.camera.up = view.up;
     scene.camera.fov_degrees = k_fov_degrees;
     scene.camera.fov_axis = scene.settings.width <= scene.settings.height ? FovAxis::x : FovAxis::y;
 }
@@ -95,8 +111,10 @@ void finish_mesh(LoadState& reading) {
     const InputText text = reading.texts[*reading.lone_mesh];
     reading.lone_mesh.reset();  // this is called for each format of meshes
     Scene& scene = reading.scene;
+    const View view = view_from(reading.options.view);
     if (!reading.camera_given) {
-        place_camera(scene);
+        reading.is_view_used = true;
+        place_camera(scene, view);
         if (!is_coordinate(scene.camera.position)) {
             reading.diagnostics.error(text, 0, 1,
                                       "the mesh is so large that a camera which shows all of it is beyond "
@@ -116,8 +134,8 @@ void finish_mesh(LoadState& reading) {
         light.casts_shadows = casts_shadows;
         return light;
     };
-    scene.lights = {ambient, directional(k_to_light, k_main_light, true),
-                    directional(k_to_eye, k_eye_light, false)};
+    scene.lights = {ambient, directional(view.to_light, k_main_light, true),
+                    directional(view.to_eye, k_eye_light, false)};
 }
 
 std::vector<std::string> mesh_file_names(const Scene& scene) {

@@ -36,6 +36,25 @@ TEST(Info, MaxMemory) {
     EXPECT_TRUE(contains(wrong.err, "expected a size as 500M or 4G, found '4X'")) << wrong.err;
 }
 
+TEST(Info, AMeshIsSeenFromTheViewThatIsAskedFor) {
+    const Folder folder;
+    folder.write("a.stl",
+                 "solid a\nfacet normal 0 0 1\nouter loop\nvertex -1 0 0\nvertex 1 0 0\nvertex 0 0 2\n"
+                 "endloop\nendfacet\nendsolid a\n");
+    const auto camera = [&](const std::string& view) {
+        return run(folder, {"info", "a.stl", "--view", view}).out;
+    };
+    EXPECT_EQ(camera("front"), camera("0,0,2.5"));
+    EXPECT_EQ(camera("iso"), camera("2,2,2"));
+    EXPECT_NE(camera("iso"), camera("front"));
+    for (const char* wrong : {"back", "1,2", "1,2,3,", "0,0,0", "nan,0,1", "1,1,inf"}) {
+        const Finished refused = run(folder, {"info", "a.stl", "--view", wrong});
+        EXPECT_EQ(refused.code, 2);
+        EXPECT_TRUE(contains(refused.err, "expected front, iso or a direction from the mesh to the eye"))
+            << refused.err;
+    }
+}
+
 TEST(Info, Json) {
     const Folder folder;
     folder.write("dark.cgfs", "sphere { center = (1, 2, 3)  radius = 1  color = (255, 0, 0) }");

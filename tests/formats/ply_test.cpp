@@ -194,6 +194,45 @@ TEST(Ply, MistakesAreReportedAtTheirPlace) {
     expect_error(binary, "a.ply:15:1: error: byte");
 }
 
+TEST(Ply, AViewMovesTheEyeAndTheLights) {
+    const auto seen_from = [](Vec3 view) {
+        LoadOptions options;
+        options.view = view;
+        return load_text(std::string(k_square), "a.ply", options);
+    };
+    const Result<Scene> front = seen_from({0, 0, 3}), usual = load_text(std::string(k_square), "a.ply"),
+                        again = seen_from({0.5, 0.4, 1});
+    ASSERT_TRUE(front && usual && again);
+    const Camera& camera = front->camera;
+    EXPECT_EQ(camera.position.x, camera.look_at.x);
+    EXPECT_EQ(camera.position.y, camera.look_at.y);
+    EXPECT_GT(camera.position.z, camera.look_at.z);
+    EXPECT_NEAR(length(camera.position - camera.look_at),
+                length(usual->camera.position - usual->camera.look_at), 1e-12);
+    EXPECT_NEAR(length(again->camera.position - usual->camera.position), 0, 1e-12);
+    ASSERT_EQ(front->lights.size(), 3u);
+    EXPECT_EQ(front->lights[2].to_light, (Vec3{0, 0, 1}));
+    EXPECT_EQ(front->lights[1].to_light, (Vec3{-0.6, 0.75, 1}));
+    // The light of this view is almost that of the usual one.
+    EXPECT_GT(dot(normalize(again->lights[1].to_light), normalize(usual->lights[1].to_light)), 0.99);
+
+    const Result<Scene> above = seen_from({0, 1, 0}), below = seen_from({0, -1, 0});
+    ASSERT_TRUE(above && below);
+    EXPECT_EQ(above->camera.up, (Vec3{0, 0, -1}));
+    EXPECT_EQ(below->camera.up, (Vec3{0, 0, 1}));
+}
+
+TEST(Ply, AViewNeedsAMeshWithoutACamera) {
+    const auto said = [](const std::string& text, const std::string& name, Vec3 view) {
+        LoadOptions options;
+        options.view = view;
+        return messages(load_text(text, name, options));
+    };
+    EXPECT_EQ(said(std::string(k_square), "a.ply", {0, 0, 0}), "error: the view has no direction\n");
+    EXPECT_EQ(said("camera { position = (0, 0, 9)  look_at = (0, 0, 0) }", "a.glint", {0, 0, 1}),
+              "error: only meshes without a camera have a view\n");
+}
+
 class OneFile : public Sources {
   public:
     Result<std::string> read(std::string_view name, std::string_view) override {
