@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // Nanoseconds per ray on one thread, by class, for glint's kernels and for Embree's packets of 16.
-// Run: bench_rays [--benchmark_filter=mirror] SCENE.nff...
+// Run: bench_rays [--benchmark_filter=mirror] SCENE...
 // `hits` is the fraction of rays that hit anything: it must be about the same for both.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 
 #include "bvh/rays.h"
 #include "frame_rays.h"
-#include "glint/load.h"
+#include "read_scene.h"
 #include "replay.h"
 #include "trace/kernels.h"
 
@@ -49,11 +47,8 @@ void widen(const RayList& rays, std::vector<double> (&columns)[8]) {
 }
 
 std::shared_ptr<const Frame> read(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    const glint::SceneText source{path, text, "nff"};
-    const glint::Result<glint::Scene> loaded = glint::load({&source, 1});
-    if (!file || !loaded) return nullptr;
+    const glint::Result<glint::Scene> loaded = read_scene(path);
+    if (!loaded) return nullptr;
     auto frame = std::make_shared<Frame>();
     frame->name = path.substr(path.find_last_of('/') + 1);
     frame->world = glint::prepare(*loaded);
@@ -67,7 +62,7 @@ std::shared_ptr<const Frame> read(const std::string& path) {
 std::size_t trace(const Frame& frame, int c, const glint::Kernels& kernels) {
     constexpr std::size_t k_run = 1024;
     double t[k_run + glint::k_ray_padding];
-    std::uint32_t slot[k_run + glint::k_ray_padding];
+    std::uint32_t slot[k_run + glint::k_ray_padding], element[k_run + glint::k_ray_padding];
     std::uint8_t occluded[k_run + glint::k_ray_padding];
     const std::size_t total = frame.rays.lists[c].size();
     std::size_t hits = 0;
@@ -78,8 +73,8 @@ std::size_t trace(const Frame& frame, int c, const glint::Kernels& kernels) {
                             occluded);
             hits += std::count(occluded, occluded + count, 1);
         } else {
-            kernels.nearest_hit(frame.world->parts(), frame.span(c, first), count, glint::k_packet_size, t,
-                                slot);
+            kernels.nearest_hit(frame.world->parts(), frame.span(c, first), count, glint::k_packet_size,
+                                {t, slot, element});
             hits += count - std::count(slot, slot + count, glint::k_none);
         }
     }
@@ -120,7 +115,7 @@ void add(const std::shared_ptr<const Frame>& frame) {
 int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
     if (argc < 2) {
-        std::fputs("usage: bench_rays [--benchmark_...] SCENE.nff...\n", stderr);
+        std::fputs("usage: bench_rays [--benchmark_...] SCENE...\n", stderr);
         return 2;
     }
     for (int i = 1; i < argc; ++i) {

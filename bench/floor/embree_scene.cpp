@@ -7,6 +7,7 @@
 #include <string>
 
 #include "glint/shapes.h"
+#include "math/transform.h"
 #include "world/geometry/triangulate.h"
 
 namespace glint_floor {
@@ -72,7 +73,7 @@ void EmbreeScene::attach(RTCGeometry geometry) {
 void EmbreeScene::add_rounds(const Scene& scene) {
     std::vector<std::uint32_t> spheres, cones;
     for (const Shape& shape : scene.shapes) {
-        if (shape.transform != k_none) stop("this scene has transforms");
+        if (shape.transform != k_none && shape.kind != ShapeKind::mesh) stop("this scene has transforms");
         if (shape.kind == ShapeKind::sphere) spheres.push_back(shape.material);
         if (shape.kind == ShapeKind::cylinder || shape.kind == ShapeKind::cone)
             cones.push_back(shape.material);
@@ -129,16 +130,20 @@ void EmbreeScene::add_triangles(const Scene& scene) {
                 triangulate(std::span(scene.polygon_vertices).subspan(p.first, p.count), triangles);
                 break;
             }
+            case ShapeKind::mesh:
+                add_mesh(scene, shape, triangles);
+                break;
             case ShapeKind::sphere:
             case ShapeKind::cylinder:
             case ShapeKind::cone:
                 break;
             default:
-                stop("this scene has shapes that no .nff has");
+                stop("this scene has shapes that are neither in .nff files nor meshes");
         }
         materials.resize(triangles.size(), shape.material);
     }
     normals_.resize(3 * triangles.size());
+    flat_ = triangles;
     if (triangles.empty()) return;
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     float* out = vertex_buffer(geometry, RTC_FORMAT_FLOAT3, 3, triangles.size() * 3);
@@ -149,6 +154,30 @@ void EmbreeScene::add_triangles(const Scene& scene) {
     attach(geometry);
     triangles_ = static_cast<unsigned>(materials_.size());
     materials_.push_back(std::move(materials));
+}
+
+void EmbreeScene::add_mesh(const Scene& scene, const Shape& shape, std::vector<Triangle>& triangles) {
+    const MeshData& mesh = *scene.meshes[scene.get<Mesh>()[shape.index].mesh];
+    const bool is_placed = shape.transform != k_none;
+    const Affine to_world = is_placed ? scene.transforms[shape.transform] : Affine{};
+    const std::optional<Affine> to_object = inverse(to_world);
+    if (!to_object) stop("a singular transform");
+    normals_.resize(3 * triangles.size());
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        Triangle triangle;
+        for (int k = 0; k < 3; ++k)
+            triangle.vertices[k] = transform_point(to_world, mesh.position(mesh.triangles[i][k]));
+        triangles.push_back(triangle);
+        const auto normals = mesh.corner_normals(i);
+        for (int k = 0; k < 3; ++k)
+            normals_.push_back(normals ? transform_normal(*to_object, to_vec3((*normals)[k])) : Vec3{});
+    }
+}
+
+double EmbreeScene::size() const {
+    RTCBounds box;
+    rtcGetSceneBounds(scene_, &box);
+    return std::hypot(box.upper_x - box.lower_x, box.upper_y - box.lower_y, box.upper_z - box.lower_z);
 }
 
 bool EmbreeScene::nearest(Vec3 origin, Vec3 direction, Hit& hit) const {
@@ -172,8 +201,13 @@ bool EmbreeScene::nearest(Vec3 origin, Vec3 direction, Hit& hit) const {
     hit.normal = {r.hit.Ng_x, r.hit.Ng_y, r.hit.Ng_z};
     if (r.hit.geomID == triangles_) {
         const Vec3* n = &normals_[3 * std::size_t{r.hit.primID}];
-        const Vec3 mixed = n[0] * (1.0 - r.hit.u - r.hit.v) + n[1] * static_cast<double>(r.hit.u) +
-                           n[2] * static_cast<double>(r.hit.v);
+        const Vec3* p = flat_[r.hit.primID].vertices;
+        const Vec3 e1 = p[1] - p[0], e2 = p[2] - p[0], across = cross(direction, e2), s = origin - p[0];
+        const Vec3 up = cross(s, e1);
+        const double scale = 1 / dot(across, e1), u = dot(s, across) * scale, v = dot(direction, up) * scale;
+        hit.point = origin + direction * (dot(e2, up) * scale);
+        hit.normal = cross(e1, e2);
+        const Vec3 mixed = n[0] * (1 - u - v) + n[1] * u + n[2] * v;
         if (dot(mixed, mixed) > 0) hit.normal = mixed;
     }
     hit.normal = hit.normal / std::sqrt(dot(hit.normal, hit.normal));

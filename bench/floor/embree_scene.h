@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// A glint::Scene in Embree: spheres, cones and cylinders as Embree's round shapes, all others as triangles.
+// A glint::Scene in Embree: spheres, cones and cylinders as Embree's round shapes, all others as triangles,
+// those of meshes for each of their shapes.
 #include <embree3/rtcore.h>
 
 #include <cstdint>
@@ -26,18 +27,23 @@ class EmbreeScene {
     EmbreeScene& operator=(const EmbreeScene&) = delete;
 
     RTCScene get() const { return scene_; }
+    double size() const;  ///< the diagonal of its box
 
-    /// Finds the nearest hit of origin + t direction for 0 < t. Returns whether there is one.
+    /// Finds the nearest hit of origin + t direction for 0 < t. Returns whether there is one. Embree, in
+    /// single precision, chooses the triangle; its point and normal are computed in double.
     bool nearest(Vec3 origin, Vec3 direction, Hit& hit) const;
 
   private:
     void add_rounds(const glint::Scene& scene);
     void add_triangles(const glint::Scene& scene);
+    void add_mesh(const glint::Scene& scene, const glint::Shape& shape,
+                  std::vector<glint::Triangle>& triangles);
     void attach(RTCGeometry geometry);
 
     RTCDevice device_;
     RTCScene scene_;
     std::vector<std::vector<std::uint32_t>> materials_;  // by geometry, by primitive
+    std::vector<glint::Triangle> flat_;                  // all triangles
     std::vector<Vec3> normals_;                          // of the triangles: three each, or zeros if flat
     unsigned triangles_ = RTC_INVALID_GEOMETRY_ID;
 };

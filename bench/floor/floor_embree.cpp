@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// floor_embree SCENE.nff [SIZE [THREADS]]: the time that Embree needs to trace the rays of a frame in packets
+// floor_embree SCENE [SIZE [THREADS]]: the time that Embree needs to trace the rays of a frame in packets
 // of 16, without shading. Prints JSON: rays and seconds (the minimum of three replays), in total and by
 // class. Recording the rays is not counted.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
-#include <string>
 #include <thread>
 
 #include "frame_rays.h"
-#include "glint/load.h"
+#include "read_scene.h"
 #include "replay.h"
 
 using namespace glint_floor;
@@ -22,17 +19,11 @@ int main(int count, char** arguments) {
     const int threads =
         count > 3 ? std::atoi(arguments[3]) : static_cast<int>(std::thread::hardware_concurrency());
     if (count < 2 || count > 4 || size < 1 || size > 16384 || threads < 1 || threads > 1024) {
-        std::fputs("usage: floor_embree SCENE.nff [SIZE [THREADS]]\n", stderr);
+        std::fputs("usage: floor_embree SCENE [SIZE [THREADS]]\n", stderr);
         return 2;
     }
-    std::ifstream file(arguments[1], std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    const glint::SceneText source{arguments[1], text, "nff"};
-    const glint::Result<glint::Scene> loaded = glint::load({&source, 1});
-    if (!file || !loaded) {
-        std::fprintf(stderr, "floor_embree: cannot read %s\n", arguments[1]);
-        return 1;
-    }
+    const glint::Result<glint::Scene> loaded = read_scene(arguments[1]);
+    if (!loaded) return fail("floor_embree", loaded);
     const EmbreeScene embree(*loaded, threads);
     const FrameRays frame = frame_rays(*loaded, embree, size, 5);
 

@@ -40,11 +40,17 @@ struct Tracer {
     const Scene& scene;
     const EmbreeScene& embree;
     FrameRays frame{};
+    const Material none{};
+
+    const Material& material(const Hit& hit) const {
+        return hit.material == k_none ? none : scene.materials[hit.material];
+    }
 
     void shadows(const std::vector<SurfaceHit>& hits, RayClass to) {
         for (const Light& light : scene.lights) {
+            if (light.kind != LightKind::point) continue;
             for (const SurfaceHit& s : hits) {
-                const Material& m = scene.materials[s.hit.material];
+                const Material& m = material(s.hit);
                 const Vec3 to_light = light.position - s.hit.point;
                 const double same_side = dot(s.hit.normal, to_light) * -dot(s.hit.normal, s.incoming);
                 const bool dark = m.diffuse == Color{0, 0, 0} && m.specular == Color{0, 0, 0};
@@ -60,7 +66,7 @@ struct Tracer {
     std::vector<Ray> branches(const std::vector<SurfaceHit>& hits) const {
         std::vector<Ray> reflected, transmitted;
         for (const SurfaceHit& s : hits) {
-            const Material& m = scene.materials[s.hit.material];
+            const Material& m = material(s.hit);
             const Vec3 d = s.incoming;
             const bool inside = dot(s.hit.normal, d) > 0;
             const Vec3 n = inside ? -s.hit.normal : s.hit.normal;
@@ -114,11 +120,15 @@ void RayList::add(Vec3 origin, Vec3 direction, float most) {
     t_max.push_back(most);
 }
 
-FrameRays frame_rays(const Scene& scene, const EmbreeScene& embree, int size, int generations) {
-    const Camera& camera = scene.camera;
+Vec3 camera_direction(const Camera& camera, int size, int x, int y) {
     const Vec3 forward = unit(camera.look_at - camera.position), right = unit(cross(forward, camera.up));
     const Vec3 up = cross(right, forward);
     const double side = 2 * std::tan(camera.fov_degrees * M_PI / 360);
+    const double sx = (x + 0.5) / size - 0.5, sy = 0.5 - (y + 0.5) / size;
+    return unit(forward + right * (side * sx) + up * (side * sy));
+}
+
+FrameRays frame_rays(const Scene& scene, const EmbreeScene& embree, int size, int generations) {
     Tracer tracer{scene, embree};
     for (int ty = 0; ty < size; ty += k_tile) {
         for (int tx = 0; tx < size; tx += k_tile) {
@@ -126,8 +136,7 @@ FrameRays frame_rays(const Scene& scene, const EmbreeScene& embree, int size, in
             for (int i = 0; i < k_tile * k_tile; ++i) {
                 const int x = tx + even_bits(i), y = ty + even_bits(i >> 1);
                 if (x >= size || y >= size) continue;
-                const double sx = (x + 0.5) / size - 0.5, sy = 0.5 - (y + 0.5) / size;
-                rays.push_back({camera.position, unit(forward + right * (side * sx) + up * (side * sy)), 1});
+                rays.push_back({scene.camera.position, camera_direction(scene.camera, size, x, y), 1});
             }
             tracer.trace(std::move(rays), generations);
         }

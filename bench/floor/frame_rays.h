@@ -24,7 +24,10 @@ struct FrameRays {
     RayList lists[k_ray_classes];
 };
 
-/// Follows the profile nff: a shadow ray from each light on the ray's side of a surface to every hit;
+/// The unit direction of the ray through the middle of a pixel of size x size.
+Vec3 camera_direction(const glint::Camera& camera, int size, int x, int y);
+
+/// Follows the profile nff: a shadow ray from each point light on the ray's side of a surface to every hit;
 /// mirror and glass rays for `generations` generations if their weight is at least 0.01.
 FrameRays frame_rays(const glint::Scene& scene, const EmbreeScene& embree, int size, int generations);
 
