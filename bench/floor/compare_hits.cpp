@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// compare_hits SCENE [SIZE]: the first hits of a picture of SIZE x SIZE pixels, by glint and by Embree, which finds
-// the nearest triangle in single precision. Prints JSON: the pixels where exactly one hits, and the greatest differences of
-// depth, as a fraction of the scene's size, and of normals, over 99.99% and all of the pixels that both hit.
+// compare_hits SCENE [SIZE]: the first hits of a picture of SIZE x SIZE pixels, by glint and by Embree, which
+// finds the nearest triangle in single precision. Prints JSON: the pixels where exactly one hits, and the
+// greatest differences of depth, as a fraction of the scene's size, and of normals, over 99.99% and all of
+// the pixels that both hit.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -23,7 +24,8 @@ void print(const char* name, std::vector<double>& differences) {
     std::sort(differences.begin(), differences.end());
     const std::size_t count = differences.size();
     const double most = count > 0 ? differences.back() : 0;
-    const double usual = count > 0 ? differences[static_cast<std::size_t>(0.9999 * static_cast<double>(count - 1))] : 0;
+    const double usual =
+        count > 0 ? differences[static_cast<std::size_t>(0.9999 * static_cast<double>(count - 1))] : 0;
     const auto within = std::upper_bound(differences.begin(), differences.end(), 1e-5) - differences.begin();
     std::printf(", \"%s\": {\"within_1e-5\": %.6f, \"of_99.99%%\": %.3g, \"of_all\": %.3g}", name,
                 count > 0 ? static_cast<double>(within) / static_cast<double>(count) : 1, usual, most);

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Functions that Debian's C++ runtime for WebAssembly lacks, or that differ from it.
+#include <fast_float/fast_float.h>
+
+#include <cstdarg>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <new>
 
 /// Registers the destructor of a thread_local object. There is one thread and it never ends.
@@ -24,3 +29,20 @@ void* operator new(std::size_t bytes, std::align_val_t alignment) {
 }
 
 void* operator new[](std::size_t bytes, std::align_val_t alignment) { return operator new(bytes, alignment); }
+
+// fmt refers to snprintf for the hexadecimal numbers of {:a}, libc++ to vfprintf for the reason why it ends
+// the program. Nothing here formats such numbers, and the reason is not seen: without them 5 kB less are
+// fetched.
+extern "C" int snprintf(char*, std::size_t, const char*, ...) { __builtin_trap(); }
+extern "C" int vfprintf(std::FILE*, const char*, std::va_list) { __builtin_trap(); }
+
+// Of JSON's numbers, which have no spaces before them: by what reads all other numbers, 3 kB less.
+extern "C" double strtod(const char* text, char** end) {
+    double value = 0;
+    const auto read = fast_float::from_chars(text, text + std::strlen(text), value);
+    *end = const_cast<char*>(read.ptr);
+    return value;
+}
+// The others of its file, which nothing calls.
+extern "C" float strtof(const char*, char**) { __builtin_trap(); }
+extern "C" long double strtold(const char*, char**) { __builtin_trap(); }

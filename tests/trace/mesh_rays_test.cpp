@@ -28,7 +28,8 @@ std::vector<Named> maps() {
             {"mirrored", scaling({-1, 1, 1})},
             {"uneven", compose(turned, scaling({30, 1, 0.03}))},
             {"far", translation({-1e6, 3e5, 0})},
-            {"far and turned", compose(turned, compose(scaling({1e-3, 1e-3, -1e-3}), translation({1e8, 0, 5e7})))}};
+            {"far and turned",
+             compose(turned, compose(scaling({1e-3, 1e-3, -1e-3}), translation({1e8, 0, 5e7})))}};
 }
 
 // A ball of radius 1 around the origin of the world: the mesh's coordinates are those before the map.
@@ -40,7 +41,8 @@ MeshData ball(const Affine& map) {
             const double polar = std::numbers::pi * ring / k_rings,
                          around = 2 * std::numbers::pi * segment / k_segments;
             mesh.positions.push_back(transform_point(
-                to_object, {std::sin(polar) * std::cos(around), std::cos(polar), std::sin(polar) * std::sin(around)}));
+                to_object,
+                {std::sin(polar) * std::cos(around), std::cos(polar), std::sin(polar) * std::sin(around)}));
         }
     }
     for (std::uint32_t ring = 0; ring < k_rings; ++ring) {
