@@ -46,6 +46,9 @@ class Effects {
 bool check_light_color(CheckContext& context, std::uint32_t index);
 /// Lights that are equal to others.
 void check_equal_lights(CheckContext& context);
+/// A point light or spot on a surface that blocks light. False if it is: nothing else is said of the light
+/// then.
+bool check_place(CheckContext& context, std::uint32_t index);
 /// Spherical lights that contain shapes.
 void check_lights_around(CheckContext& context, const VisibleHits& visible);
 /// A spot whose angles are probably radians. False if they are: nothing else is said of the light then.

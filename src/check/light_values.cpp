@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of lights that are probably mistakes: colors, lights that are equal, spheres that contain shapes.
+// Values of lights that are probably mistakes: colors, lights that are equal or on a surface, spheres that
+// contain shapes.
 #include <fmt/format.h>
 
 #include <map>
@@ -15,6 +16,8 @@ namespace glint {
 namespace {
 
 constexpr double k_max_intensity = 10;  // without attenuation; 255 is a byte's
+// A millionth of a unit, in a direction that no surface has.
+constexpr Vec3 k_beside{0.5773e-6, 0.6211e-6, 0.5301e-6};
 
 // The kind and the fields that it uses.
 std::vector<std::uint64_t> bits_of(const Light& light) {
@@ -85,6 +88,27 @@ void check_equal_lights(CheckContext& context) {
                         context.light(i), context.light_and_line(first->second)),
             "remove one of them, or move it to its intended place");
     }
+}
+
+bool check_place(CheckContext& context, std::uint32_t index) {
+    const Light& light = context.scene().lights[index];
+    const WorldParts& world = context.world();
+    if (!light.has_position() || light.is_area() || !light.casts_shadows || !world.settings.shadows)
+        return true;
+    RayList ray;
+    ray.add(light.position - k_beside, k_beside, 0, 2);
+    const SurfaceId id = nearest_occluders(world, ray, 1).surface[0];
+    if (!id.exists()) return true;
+    const std::uint32_t shape = world.geometry->shape_of(id);
+    // A disc may be the lamp that gives the light.
+    const bool may_be_lamp =
+        context.scene().shapes[shape].kind != ShapeKind::plane && !is_closed(context.scene(), shape);
+    if (may_be_lamp || is_bulb(context.material_of(shape))) return true;
+    context.report("light-on-surface", context.at_light(index),
+                   fmt::format("{} is on {}, which gets no light from it", context.light(index),
+                               context.shape_and_line(shape)),
+                   "move the light off the surface");
+    return false;
 }
 
 void check_lights_around(CheckContext& context, const VisibleHits& visible) {

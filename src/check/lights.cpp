@@ -253,7 +253,9 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
     check_equal_lights(context);
     check_lights_around(context, visible);
     Effects effects(context);
-    std::erase_if(lights, [&](std::uint32_t i) { return !check_spot_angle(context, effects, i); });
+    std::erase_if(lights, [&](std::uint32_t i) {
+        return !check_place(context, i) || !check_spot_angle(context, effects, i);
+    });
     const std::size_t groups = std::min(lights.size(), k_max_groups);
     std::int32_t longest = k_first_look;
     for (std::size_t n = groups; n > k_full_looks; n /= 4) longest /= 2;

@@ -55,6 +55,27 @@ TEST(CheckLights, BelowTheFloorOfTheBook) {
     }
 }
 
+TEST(CheckLights, OnASurface) {
+    const auto lamp = [](const char* place) {
+        return k_clean + "light { position = " + place + "  intensity = 0.4 }\n";
+    };
+    EXPECT_EQ(ids_of(lamp("(0.2, 0, 3)")), "light-on-surface@7");
+    EXPECT_EQ(ids_of(lamp("(0.7, 1, 0.2)")), "light-on-surface@7");
+    EXPECT_EQ(ids_of(lamp("(-1.5, 2.0000004, 0)")), "light-on-surface@7");
+    EXPECT_TRUE(has(only_message(lamp("(-1.5, 2, 0)")), "light 3 is on sphere 'left' (line 5)"))
+        << only_message(lamp("(-1.5, 2, 0)"));
+    EXPECT_EQ(ids_of(k_clean + "light { type = spot  position = (0.2, 0, 3)  target = (0, 1, 0)  "
+                               "outer_angle = 40  intensity = 0.4 }\n"),
+              "light-on-surface@7");
+    // Near it, or without shadows, or on a lamp.
+    EXPECT_EQ(ids_of(lamp("(0.2, 0.001, 3)")), "");
+    EXPECT_EQ(ids_of(lamp("(0.7, 1.00001, 0.2)")), "");
+    EXPECT_EQ(ids_of("render { shadows = false }\n" + lamp("(0.2, 0, 3)")), "");
+    for (const char* const shape : {"sphere { center = (-2, 3, 1)  radius = 0.3  casts_shadow = false }\n",
+                                    "disc { center = (-2, 3.3, 1)  normal = (0, 1, 0)  radius = 0.3 }\n"})
+        EXPECT_FALSE(has(ids_of(lamp("(-2, 3.3, 1)") + shape), "light-")) << shape;
+}
+
 TEST(CheckLights, BehindEverything) {
     // Nothing that is seen faces it.
     EXPECT_EQ(ids_of(R"(camera { position = (0, 0, 8)  look_at = (0, 0, 0)  fov_x = 20 }
