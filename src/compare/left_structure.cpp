@@ -22,6 +22,9 @@ constexpr double k_changed_off = 1.0 / 30, k_same_sampling = 0.05;
 // If edges are left, at least this fraction of what is changed is shaded: many causes give the one color of a
 // floor.
 constexpr double k_shaded = 0.1;
+// Unless the programs sample differently, an exact cause changes no pixel too much by more than this, in
+// 255ths, where it leaves no edge: an exponent that is far too large leaves a dot of each highlight.
+constexpr int k_overdone = 4;
 
 int largest_difference(const std::uint8_t* a, const std::uint8_t* b) {
     return std::max(
@@ -84,6 +87,15 @@ bool is_between_neighbours(const BytePicture& picture, std::int32_t x, std::int3
     return true;
 }
 
+// Whether `wanted` is on the way back to `original`, where `made` has no edge, and no other sample of it.
+bool is_overdone(const BytePicture& made, const BytePicture& wanted, const BytePicture& original,
+                 std::int32_t x, std::int32_t y) {
+    const std::uint8_t *is = made.pixel(x, y), *to = wanted.pixel(x, y), *was = original.pixel(x, y);
+    return largest_difference(is, to) > k_overdone &&
+           largest_difference(to, was) < largest_difference(is, was) && !has_step(made, x, y) &&
+           !is_between_neighbours(made, x, y, to);
+}
+
 }  // namespace
 
 std::size_t structured_pixels(const BytePicture& made, const BytePicture& target, const Area& area) {
@@ -129,7 +141,7 @@ bool has_blobs(const BytePicture& made, const BytePicture& target, const Area& a
 bool agrees_where_changed(const BytePicture& made, const BytePicture& target, const BytePicture& original,
                           const Area& area, bool but_at_edges) {
     struct Count {
-        std::size_t changed = 0, off = 0;
+        std::size_t changed = 0, off = 0, overdone = 0;
         std::size_t at_edges = 0, beyond_samples = 0, same_edges = 0, same_off = 0;
         std::size_t shaded = 0, sum = 0;  // channels, and their difference
     };
@@ -143,6 +155,7 @@ bool agrees_where_changed(const BytePicture& made, const BytePicture& target, co
             const bool is_changed = largest_difference(is, original.pixel(x, y)) > k_rounding;
             count.changed += is_changed;
             const bool is_off = largest_difference(is, wanted) > k_rounding;
+            count.overdone += is_overdone(made, target, original, x, y);
             if (edges[x] != 0 || has_step(made, x, y) || has_step(target, x, y)) {
                 count.at_edges += is_off;
                 count.beyond_samples += is_off && !is_between_neighbours(made, x, y, wanted);
@@ -161,6 +174,7 @@ bool agrees_where_changed(const BytePicture& made, const BytePicture& target, co
     for (const Count& row : counts) {
         all.changed += row.changed;
         all.off += row.off;
+        all.overdone += row.overdone;
         all.at_edges += row.at_edges;
         all.beyond_samples += row.beyond_samples;
         all.same_edges += row.same_edges;
@@ -170,8 +184,10 @@ bool agrees_where_changed(const BytePicture& made, const BytePicture& target, co
     }
     if (all.changed == 0) return true;  // truncation
     const auto fraction = [](std::size_t of, double part) { return part * static_cast<double>(of); };
-    const bool is_same_sampling =
-        all.same_edges > 0 && static_cast<double>(all.same_off) <= fraction(all.same_edges, k_same_sampling);
+    const bool is_other_sampling =
+        static_cast<double>(all.same_off) > fraction(all.same_edges, k_same_sampling);
+    if (!is_other_sampling && all.overdone > 0) return false;
+    const bool is_same_sampling = all.same_edges > 0 && !is_other_sampling;
     const std::size_t off = all.off + (is_same_sampling ? all.at_edges : all.beyond_samples);
     return static_cast<double>(off) <= 2 + fraction(made.rgb.size() / 3, k_structure_of_picture) +
                                            fraction(all.changed, k_changed_off) &&

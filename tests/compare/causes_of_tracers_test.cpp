@@ -236,6 +236,37 @@ TEST(CausesOfTracers, AreNotSureOfOtherMistakes) {
     }
 }
 
+// What is left of the highlights is a dot of each.
+TEST(CausesOfTracers, HighlightsThatHaveNearlyVanished) {
+    for (const auto& make : {table, row}) {
+        for (const bool blinn : {false, true}) {
+            SmallScene scene = make(blinn, false);
+            scene.width = 160;
+            scene.height = 120;
+            Scene read = read_scene(text_of(scene));
+            read.settings.width = scene.width;
+            read.settings.height = scene.height;
+            const Image right = as_file(draw(read));
+            const auto causes_of = [&](double exponent, double specular) {
+                SmallScene wrong = scene;
+                for (SmallBall& ball : wrong.balls) {
+                    ball.shininess *= exponent;
+                    ball.specular *= specular;
+                }
+                return *find_causes(picture(wrong, {}), right, &read);
+            };
+            for (const double exponent : {20.0, 40.0, 100.0}) {
+                const CauseReport report = causes_of(exponent, 1);
+                for (const Cause& cause : report.causes)
+                    EXPECT_TRUE(cause.perhaps) << exponent << all_causes(report);
+            }
+            const CauseReport report = causes_of(1, 0);
+            EXPECT_EQ(first_cause(report), "specular-missing") << all_causes(report);
+            EXPECT_FALSE(report.causes.empty() || report.causes[0].perhaps) << all_causes(report);
+        }
+    }
+}
+
 // The half size is the tangent divided by 2, or twice it: not an angle that is halved or doubled.
 TEST(CausesOfTracers, AViewOfHalfTheSize) {
     for (const auto& make : {table, row}) {

@@ -65,6 +65,21 @@ TEST(LeftStructure, AnotherCurveIsNoRounding) {
     }
 }
 
+// A dot where the change is missing is not of other samples, unlike a step that is one pixel further.
+TEST(LeftStructure, ADotThatIsLeftIsNoRounding) {
+    for (const Size size : k_sizes) {
+        const GreyAt made = changed_in(size);
+        const auto with_dot = [&](int by) {
+            return [=](int x, int y) { return made(x, y) + (x == 9 && y == 11 ? by : 0); };
+        };
+        EXPECT_FALSE(agrees(size, made, with_dot(-7)));
+        EXPECT_TRUE(agrees(size, made, with_dot(-3)));
+        EXPECT_TRUE(agrees(size, made, with_dot(7)));
+        const auto farther = [&](int x, int y) { return y == 11 ? made(x + 1, y) : made(x, y); };
+        EXPECT_TRUE(agrees(size, made, farther));
+    }
+}
+
 // It changes no pixel by more than rounding, so that nothing else can be asked of it.
 TEST(LeftStructure, TruncationAgrees) {
     for (const Size size : k_sizes) {
