@@ -270,7 +270,11 @@ std::optional<CausePair> PairSearch::find_shifted(const Search& search) {
 bool PairSearch::confirm(const Search& search, PairCandidate& pair) const {
     const std::optional<RenderedScene> made = render_pair(renderer_, all_, search, pair);
     if (made) search.confirm(made->bytes, pair.after);
-    if (pair.before.is_vague) pair.after.is_exact = false;
+    // In the range of a picture, 0.8 / (1 + d) is near 1 / (3 + d).
+    const auto is_curve = [](const CauseCandidate& c) { return c.cause.name == "attenuation-added"; };
+    if (pair.before.is_vague || (is_curve(pair.before) && pair.after.fitted) ||
+        (is_curve(pair.after) && pair.before.fitted))
+        pair.after.is_exact = false;
     return made.has_value();
 }
 

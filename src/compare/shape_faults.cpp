@@ -126,6 +126,11 @@ constexpr SceneFault k_shapes[] = {
          attenuate(s, {0, 0, 1});
      },
      "Light is divided by the square of the distance, and in the reference it is not."},
+    {"attenuation-added", has_plain_lights,
+     [](Scene& s) {
+         attenuate(s, {1, 1, 0});
+     },
+     "Light is divided by 1 + the distance, and in the reference it is not."},
 };
 
 }  // namespace

@@ -76,6 +76,7 @@ const std::vector<Case>& cases() {
         {"colors-truncated", {.integer_sum = true}},
         {"attenuation-added", {.distance_power = 1}},
         {"attenuation-added", {.distance_power = 2}},
+        {"attenuation-added", {.distance_power = 1, .distance_offset = 1}},
         {"aspect-missing", {.x_factor = 0.75}},
         {"aspect-missing", {.y_factor = 4.0 / 3}},
         {"aspect-inverted", {.x_factor = 0.5625}},
@@ -264,6 +265,19 @@ TEST(CausesOfTracers, HighlightsThatHaveNearlyVanished) {
             EXPECT_EQ(first_cause(report), "specular-missing") << all_causes(report);
             EXPECT_FALSE(report.causes.empty() || report.causes[0].perhaps) << all_causes(report);
         }
+    }
+}
+
+// In the range of a picture, 1 / (3 + d) is near 0.8 / (1 + d).
+TEST(CausesOfTracers, AFactorDoesNotTellHowLightFades) {
+    for (const auto& make : {table, row}) {
+        const SmallScene scene = make(false, false);
+        const Scene read = read_scene(text_of(scene));
+        const CauseReport report = *find_causes(picture(scene, {.distance_power = 1, .distance_offset = 3}),
+                                                as_file(draw(read)), &read);
+        EXPECT_EQ(first_cause(report), "attenuation-added") << all_causes(report);
+        EXPECT_TRUE(report.causes.empty() || report.causes[0].perhaps) << all_causes(report);
+        for (const Cause& cause : report.then) EXPECT_TRUE(cause.perhaps) << all_causes(report);
     }
 }
 

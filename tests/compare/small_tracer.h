@@ -27,7 +27,8 @@ struct Mistakes {
     bool integer_colors = false;
     bool exponent_squared = false, fades_from_eye = false;
     bool mirror_colored = false, specular_is_diffuse = false;
-    int distance_power = 0;             ///< light divided by d^this
+    int distance_power = 0;             ///< light divided by d^this...
+    double distance_offset = 0;         ///< ... plus this
     double x_factor = 1, y_factor = 1;  ///< of the picture plane
     double plane_factor = 1;            ///< of both
 };
@@ -193,7 +194,8 @@ class SmallTracer {
                 const Vec3 r = n * (2 * n_l) - l;
                 s = dot(m_.r_negated ? -r : r, v);
             }
-            const double strength = s_.lamp / std::pow(length(to_light), m_.distance_power) /
+            const double strength = s_.lamp /
+                                    (std::pow(length(to_light), m_.distance_power) + m_.distance_offset) /
                                     (m_.fades_from_eye ? length(s_.eye - p) : 1);
             const double diffuse = m_.diffuse_to_power ? std::pow(n_l, b.shininess) : n_l;
             double shine =
