@@ -27,6 +27,10 @@ struct Mistakes {
     bool integer_colors = false;
     bool exponent_squared = false, fades_from_eye = false;
     bool mirror_colored = false, specular_is_diffuse = false;
+    bool specular_colored = false;
+    /// By the mean of white and the surface's color.
+    bool mirror_half_colored = false, specular_half_colored = false;
+    bool mirror_lit = false;            ///< by the lit color of the surface, not by its own
     int distance_power = 0;             ///< light divided by d^this...
     double distance_offset = 0;         ///< ... plus this
     double x_factor = 1, y_factor = 1;  ///< of the picture plane
@@ -164,6 +168,8 @@ class SmallTracer {
         if (m_.mirror_negated) r = -r;
         Color seen = trace(p, r, depth + 1);
         if (m_.mirror_colored) seen = seen * color;
+        if (m_.mirror_lit) seen = seen * local;
+        if (m_.mirror_half_colored) seen = seen * ((Color{1, 1, 1} + color) * 0.5);
         return local * (1 - b.mirror) + seen * b.mirror;
     }
 
@@ -203,6 +209,8 @@ class SmallTracer {
             if (m_.specular_times_cosine) shine *= n_l;
             Color k_s{b.specular, b.specular, b.specular};
             if (m_.specular_is_diffuse && b.specular > 0) k_s = color;
+            if (m_.specular_colored) k_s = k_s * color;
+            if (m_.specular_half_colored) k_s = k_s * ((Color{1, 1, 1} + color) * 0.5);
             sum = sum + color * (diffuse * strength) + k_s * (shine * strength);
         }
         if (m_.no_ambient_in_shadow && is_shadowed) sum = sum + color * -s_.ambient;
