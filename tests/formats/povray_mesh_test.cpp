@@ -121,8 +121,47 @@ TEST(PovRayMesh, IsCutByBoxes) {
     EXPECT_EQ(pov_mesh(scene).triangles.size(), 2u) << "a quadrangle: the corner square without the corner";
     for (std::uint32_t i = 0; i < pov_mesh(scene).vertex_count(); ++i)
         EXPECT_LE(pov_mesh(scene).position(i).x, 1 + k_pov_near);
+    // The other side of a plane.
+    for (const std::string plane : {"plane { -x, -1.5 }", "plane { x, 1.5 inverse }"}) {
+        const Scene part = povray_scene(
+            "mesh2 { vertex_vectors { 3, 0, 2*x, 2*y } face_indices { 1, <0, 1, 2> }\n  clipped_by { " +
+            plane + " } }");
+        EXPECT_EQ(part.get<Triangle>().at(0).vertices[1], (Vec3{2, 0, 0})) << plane;
+        for (const Vec3& v : part.get<Triangle>().at(0).vertices) EXPECT_GE(v.x, 1.5) << plane;
+    }
     // A box that holds the whole shape cuts nothing.
     EXPECT_EQ(povray_scene("sphere { 0, 1 clipped_by { box { -2, 2 } } }").shapes.size(), 1u);
+}
+
+TEST(PovRayMesh, IsNotCutWithoutAMessage) {
+    const auto said = [](const std::string& mesh) {
+        return messages(read_povray("light_source { <0, 0, -9>, rgb 1 }\ncamera { location -9*z }\n" + mesh));
+    };
+    const std::string refused = "a.pov:4:2: error: glint does not render `clipped_by`";
+    const std::string vertices = "mesh2 { vertex_vectors { 4, 0, 2*x, 2*y, 9*z }";
+    const std::string faces = vertices + " face_indices { 1, <0, 1, 2> }\n ";
+    const auto with_colors = [&](const std::string& indices) {
+        return vertices + " texture_list { 2, " + texture("x") + texture("y") + "} face_indices { 2, " +
+               indices + " }\n clipped_by { plane { z, 1 } }}";
+    };
+    for (const std::string& mesh : {
+             faces + "clipped_by { box { -1, 1 inverse } }}",
+             faces + "clipped_by { box { -3, -2 inverse } }}",
+             faces + "clipped_by { box { -1, 1 rotate 45*z } }}",
+             faces + "clipped_by { sphere { 0, 1 } }}",
+             with_colors("<0, 1, 2>, 0, 0, 0, <1, 2, 3>, 0, 1, 1"),
+         }) {
+        EXPECT_NE(said(mesh).find(refused), std::string::npos) << mesh << said(mesh);
+    }
+    EXPECT_NE(
+        said(faces + "translate x clipped_by { box { -1, 1 } }}").find("4:14: error: glint does not render"),
+        std::string::npos);
+    for (const std::string& mesh : {
+             faces + "clipped_by { box { -1, 1 inverse inverse } } translate x rotate 45*z }",
+             with_colors("<0, 1, 2>, 0, 1, 1, <1, 2, 3>, 0, 0, 0"),
+         }) {
+        EXPECT_EQ(said(mesh).find("clipped_by"), std::string::npos) << mesh << said(mesh);
+    }
 }
 
 }  // namespace

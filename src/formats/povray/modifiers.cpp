@@ -91,8 +91,11 @@ bool ObjectParser::read_modifier(Object& object) {
             take();
             object.hollow = flag();
             return true;
-        // Without effect on surfaces that cut nothing.
         case Word::k_inverse:
+            take();
+            if (flag()) object.is_inverse = !object.is_inverse;
+            return true;
+        // Without effect on surfaces that cut nothing.
         case Word::k_sturm:
         case Word::k_hierarchy:
         case Word::k_split_union:
@@ -116,8 +119,14 @@ void ObjectParser::read_clip(Object& object) {
     }
     while (!failed() && !accept('}')) {
         if (!begins_object(peek())) return expected("an object or `}`");
-        const Object clip = read_object();
+        Object clip = read_object();
         accept(',');
+        if (clip.is_inverse && clip.kind == ObjectKind::plane) {
+            clip.b = -clip.b;
+            clip.s = -clip.s;
+        } else if (clip.is_inverse) {
+            clip.missing.add(missing(at, "inverse"));  // what is outside of it: not cut
+        }
         if (object.mesh) spend(object.mesh->vertices.size() + object.mesh->triangles.size());
         if (!failed() && !holds(clip, object) && !clip_mesh(clip, object)) {
             Missing clipped = missing(at, "clipped_by");

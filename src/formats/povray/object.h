@@ -77,7 +77,7 @@ struct Object {
     ObjectKind kind = ObjectKind::group;
     Vec3 a, b, c;         ///< points; sphere: center; plane, disc: normal in b
     double r = 0, s = 0;  ///< radii; plane: the distance
-    bool is_open = false, is_no_shadow = false, is_merge = false;
+    bool is_open = false, is_no_shadow = false, is_merge = false, is_inverse = false;
     Token at;
     std::optional<Affine> map;  ///< world_from_object
     std::shared_ptr<const Texture> texture;
