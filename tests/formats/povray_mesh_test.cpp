@@ -164,5 +164,25 @@ TEST(PovRayMesh, IsNotCutWithoutAMessage) {
     }
 }
 
+TEST(PovRayMesh, AFarVertexIsNamedAsWritten) {
+    const auto said = [](const std::string& mesh) {
+        return messages(read_povray("sphere { 0, 1 }\n" + mesh));
+    };
+    const std::string message = "a.pov:2:1: error: vertex 3: expected coordinates within 1e12, found ";
+    for (const auto& [number, found] : {std::pair{"1/0", "(0, 1e+300, 0)"},
+                                        {"-1e60", "(0, -1e+60, 0)"},
+                                        {"1e30", "(0, 1e+30, 0)"},
+                                        {"1e13", "(0, 10000000000000, 0)"}}) {
+        const std::string vertex = "<0, " + std::string(number) + ", 0>";
+        const std::string list = said("mesh2 { vertex_vectors { 4, 0, x, y, " + vertex +
+                                      " } face_indices { 2, <0, 1, 2>, <0, 1, 3> } }");
+        EXPECT_NE(list.find(message + found), std::string::npos) << list;
+        const std::string one = said("mesh { triangle { 0, x, y } triangle { " + vertex + ", x, y } }");
+        EXPECT_NE(one.find(message + found), std::string::npos) << one;
+    }
+    // One that is not placed is not refused.
+    EXPECT_EQ(said("#declare M = mesh { triangle { 0, x, <0, 1/0, 0> } }").find("error"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace glint::test

@@ -80,13 +80,17 @@ std::size_t ObjectParser::room_for(std::size_t count) const {
     return std::min(count, std::max<std::size_t>(in_list, 1u << 10));
 }
 
-// Vectors, each as `convert` makes it.
-CountedVector<Float3> ObjectParser::read_points(Float3 (*convert)(Vec3)) {
+// Vectors, each as `convert` makes it. noting: the mesh whose vertices they are.
+CountedVector<Float3> ObjectParser::read_points(Float3 (*convert)(Vec3), ReadMesh* noting) {
     CountedVector<Float3> points;
     if (!open_list()) return points;
     const std::size_t count = read_count();
     points.reserve(room_for(count));
-    for (std::size_t i = 0; i < count && !failed(); ++i) points.push_back(convert(list_vector()));
+    for (std::size_t i = 0; i < count && !failed(); ++i) {
+        const Vec3 v = list_vector();
+        if (noting != nullptr) noting->note_if_far(i, v);
+        points.push_back(convert(v));
+    }
     close_list();
     return points;
 }

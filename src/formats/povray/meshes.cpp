@@ -50,7 +50,9 @@ void ObjectParser::read_mesh_triangle(ReadMesh& mesh) {
     const std::size_t triangle = mesh.triangles.size();
     for (std::size_t i = 0; i < 3 && !failed(); ++i) {
         vertices[i] = static_cast<std::uint32_t>(mesh.vertices.size());
-        mesh.vertices.push_back(stored_position(vector()));
+        const Vec3 position = vector();
+        mesh.note_if_far(mesh.vertices.size(), position);
+        mesh.vertices.push_back(stored_position(position));
         accept(',');
         if (!is_smooth) continue;
         normals[i] = static_cast<std::uint32_t>(mesh.normals.size());
@@ -91,7 +93,7 @@ Object ObjectParser::read_mesh2(const Token& word) {
         switch (item.word()) {
             case Word::k_vertex_vectors:
                 take();
-                mesh->vertices = read_points(stored_position);
+                mesh->vertices = read_points(stored_position, mesh.get());
                 break;
             case Word::k_normal_vectors:
                 take();

@@ -5,9 +5,11 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "formats/povray/texture.h"
 #include "glint/mesh.h"
+#include "scene/ranges.h"
 
 namespace glint::povray {
 
@@ -36,7 +38,12 @@ struct ReadMesh {
     /// CornerValues::k_none, and so are its textures: one at each corner.
     CountedVector<TriangleCorners> normal_corners, texture_corners;
     CountedVector<std::shared_ptr<const Texture>> textures;
+    /// The first vertex beyond what glint renders, as the text has it, and its number.
+    std::optional<std::pair<std::size_t, Vec3>> far;
 
+    void note_if_far(std::size_t vertex, Vec3 position) {
+        if (!far && !is_coordinate(position)) far.emplace(vertex, position);
+    }
     /// The values of all triangles can be set afterwards.
     static void set(CountedVector<TriangleCorners>& list, std::size_t triangle,
                     const TriangleCorners& corners) {

@@ -55,7 +55,7 @@ class ObjectParser : public TextureParser {
     Vec3 list_vector();
     std::size_t read_count();
     std::size_t room_for(std::size_t count) const;
-    CountedVector<Float3> read_points(Float3 (*convert)(Vec3));
+    CountedVector<Float3> read_points(Float3 (*convert)(Vec3), ReadMesh* noting = nullptr);
     std::uint32_t index_of(double value, const Token& at);
     void read_face_indices(TriangleCorners& indices);
     void read_faces(ReadMesh& mesh);

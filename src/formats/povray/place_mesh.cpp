@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "formats/povray/add_shape.h"
+#include "scene/validate_shapes.h"
 
 namespace glint::povray {
 namespace {
@@ -31,6 +32,10 @@ MeshParts* SceneBuilder::parts_of(const Object& object) {
 void SceneBuilder::place_mesh(const Object& o, const Inherited& own) {
     const ReadMesh& mesh = *o.mesh;
     if (mesh.triangles.empty()) return;
+    if (mesh.far) {
+        return stream_.error(o.at, fmt::format("vertex {}: expected coordinates within 1e12, found {}",
+                                               mesh.far->first, text(mesh.far->second)));
+    }
     if (mesh.triangles.size() == 1 && place_single_face(o, own)) return;
     MeshParts* const parts = parts_of(o);
     if (parts == nullptr || !stream_.spend(parts->parts.size() + parts->warned.size())) return;
