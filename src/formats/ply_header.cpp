@@ -104,6 +104,12 @@ class HeaderReader {
             error("expected `element`, a name and a number");
             return false;
         }
+        const auto is_same = [&](const PlyElement& e) { return e.name == element.name; };
+        if ((element.name == "vertex" || element.name == "face") &&
+            std::any_of(header_.elements.begin(), header_.elements.end(), is_same)) {
+            error(fmt::format("expected one element `{}`, found a second one", element.name));
+            return false;
+        }
         if (header_.elements.size() >= k_max_elements) {
             error(fmt::format("more than {} elements", k_max_elements));
             return false;

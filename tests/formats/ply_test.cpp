@@ -187,6 +187,10 @@ TEST(Ply, MistakesAreReportedAtTheirPlace) {
                  "a.ply:15:9: error: face 0: expected a vertex from 0 to 3, found 4");
     expect_error(changed("4 0 1 2 3", "2 0 1"), "no face with three vertices");
     expect_error(changed("face 1", "face 0"), "a cloud of points");
+    expect_error(changed("element face 1", "element vertex 4\nproperty float x\nelement face 1"),
+                 "a.ply:8:1: error: expected one element `vertex`, found a second one");
+    expect_error(changed("end_header", "element face 0\nproperty list uchar int vertex_indices\nend_header"),
+                 "a.ply:10:1: error: expected one element `face`, found a second one");
     expect_error(changed("1 1 0.5", "1 1 1e30"),
                  "a.ply:13:5: error: vertex 2: expected a number from -1e12 to 1e12, found 1e+30");
     std::string binary = binary_file(false);
