@@ -61,7 +61,7 @@ class HeaderReader {
         return std::nullopt;
     }
 
-    // Lines end with LF, CR LF or CR.
+    // Lines end with LF, CR LF or CR. If the first one ends with CR, a LF after the last one is binary data.
     bool next_line() {
         const std::string_view text = where_.text;
         if (next_ >= text.size() || ++lines_ > 100000) return false;
@@ -69,7 +69,9 @@ class HeaderReader {
         const std::size_t end = std::min(text.find_first_of("\r\n", start_), text.size());
         line_ = text.substr(start_, end - start_);
         next_ = std::min(end + 1, text.size());
-        if (end < text.size() && text[end] == '\r' && next_ < text.size() && text[next_] == '\n') ++next_;
+        const bool is_cr_lf = text.substr(end, 2) == "\r\n";
+        if (lines_ == 1) ends_with_cr_ = !is_cr_lf && text.substr(end, 1) == "\r";
+        if (is_cr_lf && !ends_with_cr_) ++next_;
         word_ = 0;
         return true;
     }
@@ -166,6 +168,7 @@ class HeaderReader {
     InputText where_;
     PlyHeader header_;
     std::string_view line_;
+    bool ends_with_cr_ = false;
     std::size_t start_ = 0, next_ = 0, word_ = 0, lines_ = 0;
 };
 

@@ -89,6 +89,25 @@ TEST(Ply, BinaryFilesHaveEitherOrderOfBytes) {
     }
 }
 
+// The first byte of the data is that of a LF.
+TEST(Ply, LinesOfAHeaderEndWithCr) {
+    for (const bool is_binary : {false, true}) {
+        std::string text =
+            "ply\rformat " + std::string(is_binary ? "binary_big_endian" : "ascii") +
+            " 1.0\relement vertex 3\rproperty int x\rproperty int y\rproperty int z\relement face 1\r"
+            "property list uchar uchar vertex_indices\rend_header\r";
+        if (is_binary) {
+            for (const std::int32_t x : {0x0A000001, 0, 0, 0, 1, 0, 0, 0, 1}) put(text, x, true);
+            text += std::string("\3\0\1\2", 4);
+        } else {
+            text += "167772161 0 0\r0 1 0\r0 0 1\r3 0 1 2\r";
+        }
+        const Result<Scene> result = read(text);
+        ASSERT_TRUE(result) << messages(result);
+        EXPECT_EQ(mesh_of(*result).positions, (std::vector<Vec3>{{0x0A000001, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
+    }
+}
+
 // The square's vertices with colors of a type.
 std::string colored(const std::string& type, const std::string& prefix, const char* (&&colors)[4]) {
     std::string text =
