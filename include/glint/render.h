@@ -20,7 +20,7 @@ namespace glint {
 
 /// Raised whenever a change of glint changes the pixels of any picture. Tiles of programs with the same
 /// number belong together.
-inline constexpr std::uint32_t k_picture_version = 5;
+inline constexpr std::uint32_t k_picture_version = 6;
 
 struct RayCounts {
     std::uint64_t camera = 0, shadow = 0, mirror = 0, transmitted = 0;

@@ -191,6 +191,11 @@ struct SmoothTriangleGeometry : TriangleGeometry {
             out.vertices[i] = transform_point(world_from_object, triangle.vertices[i]);
             out.normals[i] = transform_normal(object_from_world, triangle.normals[i]);
         }
+        // As of a flat triangle: the front side moves with the triangle.
+        if (determinant(world_from_object) < 0) {
+            std::swap(out.vertices[1], out.vertices[2]);
+            std::swap(out.normals[1], out.normals[2]);
+        }
         return out;
     }
     static bool is_open(const SmoothTriangle&) { return true; }

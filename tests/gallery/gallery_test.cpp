@@ -70,7 +70,7 @@ const GalleryPicture k_gallery[] = {
 };
 
 // Some of them as they were when k_picture_version was last raised.
-constexpr std::uint32_t k_recorded_version = 5;
+constexpr std::uint32_t k_recorded_version = 6;
 const GalleryPicture k_recorded[] = {
     {"cgfs/three_mirrors.cgfs", "size=160x160", 0xf15ca10dce6ead20},
     {"csc473/glass_ball.pov", "size=160x120 aa=2", 0x57275ad9a58b76e9},

@@ -88,6 +88,34 @@ TEST(Mesh, IsThePictureOfItsTriangles) {
     }
 }
 
+// Under a map that mirrors, the front side of a triangle moves with it: of flat and smooth ones, of a mesh
+// and without one. Each has one normal at its corners, so that the order of map and interpolation is the
+// same.
+TEST(Mesh, IsThePictureOfItsMirroredSmoothTriangles) {
+    for (const Facing facing : {Facing::none, Facing::open, Facing::all, Facing::winding}) {
+        Scene whole;
+        set_size(whole, 60, 50);
+        whole.conventions.facing = facing;
+        whole.camera.position = {0, 1, 14};
+        whole.camera.look_at = {0, 0, 0};
+        whole.lights = {ambient_light({0.3, 0.3, 0.3}), point_light({5, 9, 19})};
+        whole.transforms = {scaling({-1, 1, 1})};
+        MeshData mesh;
+        for (int i = 0; i < 6; ++i) {
+            const double x = i * 1.5 - 3.75, side = i % 2 == 0 ? 1 : -1;
+            mesh.positions.insert(mesh.positions.end(), {{x, -2, 0}, {x + 1, -2, 0.5}, {x, 2, i % 3 - 1.0}});
+            for (int k = 0; k < 3; ++k) mesh.normals.values.push_back(to_single({0, 0, side}));
+            const auto first = static_cast<std::uint32_t>(3 * i), turned = static_cast<std::uint32_t>(i / 3);
+            mesh.triangles.push_back({first, first + 1 + turned, first + 2 - turned});
+        }
+        Scene parts = whole;
+        add_triangles(parts, mesh, k_none, 0);
+        whole.meshes.push_back(std::make_shared<const MeshData>(mesh));
+        whole.add(Mesh{0}, k_none, 0);
+        EXPECT_EQ(render_scene(whole).rgb, render_scene(parts).rgb) << static_cast<int>(facing);
+    }
+}
+
 TEST(Mesh, IsTheSameInAnyPartOfThePicture) {
     Random random(38);
     for (int i = 0; i < 4; ++i) {
