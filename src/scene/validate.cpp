@@ -10,6 +10,7 @@
 #include "base/status.h"
 #include "base/text.h"
 #include "math/number.h"
+#include "math/transform.h"
 #include "scene/camera_fields.h"
 #include "scene/fog_fields.h"
 #include "scene/light_fields.h"
@@ -330,11 +331,32 @@ class Validator {
         if (!indexed(s.material, materials)) shape_error(i, "no such material");
         if (!indexed(s.transform, scene_.transforms.size())) shape_error(i, "no such transform");
         for (const std::string& mistake : shapes_.mistakes(s)) shape_error(i, mistake);
+        if (s.kind == ShapeKind::mesh && s.transform < scene_.transforms.size()) check_mesh_map(i);
         if (i >= scene_.shape_colors.size()) return;
         check_shape_color(scene_.shape_colors[i], scene_.shape_texts.place(i), [&] {
             begin(SceneItem::shape, i);
             return item(to_string(s.kind), i, scene_.shape_texts.name(i));
         });
+    }
+
+    // Rays are mapped into the mesh's coordinates. Measured: of a stretched mesh that a map makes round
+    // again, the picture is that of its triangles up to 1e7; at 1e8, thousands of pixels are others.
+    void check_mesh_map(std::uint32_t i) {
+        const Affine& map = scene_.transforms[scene_.shapes[i].transform];
+        const std::optional<Affine> inverted = inverse(map);
+        if (!inverted) return;  // check_transform() says so
+        const double condition = longest_row(map) * longest_row(*inverted);
+        if (condition > 1e7) {
+            shape_error(i, fmt::format("expected a transform with a condition number of at most 1e7, found "
+                                       "{:.3g}",
+                                       condition));
+        }
+    }
+
+    static double longest_row(const Affine& map) {
+        double most = 0;
+        for (const auto& row : map.m) most = number::max(most, length({row[0], row[1], row[2]}));
+        return most;
     }
 
     // name(): the shape's, called only for a message.

@@ -8,6 +8,7 @@
 
 #include "glint/scene.h"
 #include "glint/world.h"
+#include "math/transform.h"
 
 namespace glint::test {
 namespace {
@@ -270,6 +271,33 @@ TEST(Validate, SmallAndLargeScenesAreValid) {
     scene.camera.look_at = {1e-200, 0, 0};
     scene.camera.position = {0, 0, 1e-200};
     scene.transforms[0] = {{{1e-6, 0, 0, 1e9}, {0, 1e6, 0, 0}, {0, 0, -1, 0}}};
+    EXPECT_TRUE(validate(scene).empty()) << validate(scene)[0].message;
+}
+
+TEST(Validate, MapsOfMeshesAreWellConditioned) {
+    MeshData data;
+    data.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    data.triangles = {{0, 1, 2}};
+    Scene scene;
+    scene.files = {"a.glint"};
+    scene.lights.emplace_back();
+    scene.meshes.push_back(std::make_shared<const MeshData>(data));
+    scene.transforms = {scaling({1, 1, 1.0001e-7})};
+    scene.add(Mesh{0}, k_none, 0);
+    scene.shape_texts.places = {{12, 3, 0}};
+    EXPECT_TRUE(validate(scene).empty()) << validate(scene)[0].message;
+    scene.transforms[0] = compose(rotation_x(30), compose(scaling({9e-9, 1, 1}), rotation_y(40)));
+    const auto diagnostics = validate(scene);
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_EQ(diagnostics[0].message,
+              "mesh 1: expected a transform with a condition number of at most 1e7, found 8.51e+07");
+    EXPECT_EQ(diagnostics[0].line, 12u);
+    // Large or small is not badly conditioned, and other shapes have other formulas.
+    scene.transforms[0] = scaling({1e-9, 1e-9, -1e-9});
+    EXPECT_TRUE(validate(scene).empty()) << validate(scene)[0].message;
+    scene.transforms[0] = scaling({1, 1, 1e-8});
+    scene.shapes.clear();
+    scene.add(Sphere{{0, 0, 0}, 1}, k_none, 0);
     EXPECT_TRUE(validate(scene).empty()) << validate(scene)[0].message;
 }
 
