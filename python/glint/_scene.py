@@ -268,6 +268,7 @@ class Scene:
         colors: (V, 3), linear, which are interpolated. The material's own color is used without them. A
         mesh of which a scene has many copies is stored once: add(glint.Mesh(...)) again, or copies of it with
         other transforms.
+        ValueError names the row of a number beyond 1e12, or of a face without three vertices of the list.
         """
         mesh = Mesh(vertices, faces, normals, colors, name=name)
         if material is not None:

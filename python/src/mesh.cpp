@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+
+#include "scene/ranges.h"
 
 namespace glint::python {
 namespace {
@@ -37,13 +40,29 @@ template <class T, class Item> std::vector<Item> items_of(const Rows<T>& rows) {
     return items;
 }
 
+// Refuses what prepare() would, at once. The error names the argument and the row.
+template <class T> void check_numbers(const Rows<T>& rows, const char* name) {
+    for (py::ssize_t i = 0; i < rows.size(); ++i) {
+        if (const double x = rows.data()[i]; !k_coordinate.contains(x))
+            throw py::value_error(
+                fmt::format("{}: row {}: expected {}, found {}", name, i / 3, k_coordinate.text, x));
+    }
+}
+
+// The positions or values of an argument.
+template <class T, class Item> std::vector<Item> checked_items(const py::object& value, const char* name) {
+    const Rows<T> rows = to_rows<T>(value, name);
+    check_numbers(rows, name);
+    return items_of<T, Item>(rows);
+}
+
 bool is_float32(const py::object& value) {
     return py::isinstance<py::array>(value) && py::isinstance<py::array_t<float>>(value);
 }
 
 void set_values(CornerValues& to, const py::object& rows, const char* name, std::size_t vertices) {
     if (rows.is_none()) return;
-    to.values = items_of<float, Float3>(to_rows<float>(rows, name));
+    to.values = checked_items<float, Float3>(rows, name);
     if (to.values.size() != vertices) {
         throw py::value_error(
             fmt::format("{}: expected {}, one for each vertex, found {}", name, vertices, to.values.size()));
@@ -54,20 +73,23 @@ std::shared_ptr<const MeshData> make_data(const py::object& vertices, const py::
                                           const py::object& normals, const py::object& colors) {
     auto data = std::make_shared<MeshData>();
     if (is_float32(vertices)) {
-        data->single_positions = items_of<float, Float3>(to_rows<float>(vertices, "vertices"));
+        data->single_positions = checked_items<float, Float3>(vertices, "vertices");
     } else {
-        data->positions = items_of<double, Vec3>(to_rows<double>(vertices, "vertices"));
+        data->positions = checked_items<double, Vec3>(vertices, "vertices");
     }
-    // As 64-bit numbers, so that a negative one is not taken for a large one.
-    const Rows<std::int64_t> corners = to_rows<std::int64_t>(triangles, "triangles");
-    const auto count = static_cast<std::int64_t>(data->vertex_count());
+    // As doubles, so that negative numbers and fractions are not taken for others.
+    const Rows<double> corners = to_rows<double>(triangles, "triangles");
+    const auto count = static_cast<double>(data->vertex_count());
     data->triangles.reserve(static_cast<std::size_t>(corners.shape(0)));
-    const std::int64_t* at = corners.data();
+    const double* at = corners.data();
     for (py::ssize_t i = 0; i < corners.shape(0); ++i, at += 3) {
         for (int k = 0; k < 3; ++k) {
-            if (at[k] < 0 || at[k] >= count)
+            if (!(at[k] >= 0 && at[k] < count))
                 throw py::value_error(fmt::format(
                     "triangles: triangle {}: expected a vertex below {}, found {}", i, count, at[k]));
+            if (at[k] != std::floor(at[k]))
+                throw py::value_error(
+                    fmt::format("triangles: triangle {}: expected a whole number, found {}", i, at[k]));
         }
         data->triangles.push_back({static_cast<std::uint32_t>(at[0]), static_cast<std::uint32_t>(at[1]),
                                    static_cast<std::uint32_t>(at[2])});

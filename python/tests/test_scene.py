@@ -235,10 +235,16 @@ def test_meshes():
     for vertices, triangles, message in (
         (corners, [(0, 1, 4)], "triangles: triangle 0: expected a vertex below 4, found 4"),
         (corners, [(0, 1, -1)], "found -1"),
+        (corners, [(0, 1, 2), (0, 1.7, 3)], "triangles: triangle 1: expected a whole number, found 1.7"),
+        (corners, [(0, 1, np.nan)], "triangles: triangle 0: expected a vertex below 4, found nan"),
+        ([*corners[:3], (0, np.nan, 0)], [(0, 1, 2)], "vertices: row 3: expected a number from -1e12 to 1e12, found nan"),
+        (np.float32([*corners[:3], (0, np.inf, 0)]), [(0, 1, 2)], "vertices: row 3: expected .*, found inf"),
         (corners[:, :2], [(0, 1, 2)], "vertices: expected an array of N x 3 numbers, found 2 dimensions, 2 columns"),
     ):
         with pytest.raises(ValueError, match=message):
             glint.Mesh(vertices, triangles)
+        with pytest.raises(ValueError, match=message):
+            glint.Scene().add_mesh(vertices, triangles)
     for wrong in ({"normals": [(0, 0, 1)]}, {"colors": [(0, 0, 1)]}):
         with pytest.raises(ValueError, match=f"{[*wrong][0]}: expected 4"):
             glint.Mesh(corners, [(0, 1, 2)], **wrong)
