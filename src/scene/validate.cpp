@@ -340,12 +340,18 @@ class Validator {
     }
 
     // Rays are mapped into the mesh's coordinates. Measured: of a stretched mesh that a map makes round
-    // again, the picture is that of its triangles up to 1e7; at 1e8, thousands of pixels are others.
+    // again, the picture is that of its triangles up to 1e7; at 1e8, thousands of pixels are others. Factors
+    // along the mesh's own axes do no harm: they are left out.
     void check_mesh_map(std::uint32_t i) {
         const Affine& map = scene_.transforms[scene_.shapes[i].transform];
         const std::optional<Affine> inverted = inverse(map);
         if (!inverted) return;  // check_transform() says so
-        const double condition = longest_row(map) * longest_row(*inverted);
+        Affine shear = map, back = *inverted;
+        for (int k = 0; k < 3; ++k) {
+            const double factor = length({map.m[0][k], map.m[1][k], map.m[2][k]});
+            for (int i = 0; i < 3; ++i) shear.m[i][k] /= factor, back.m[k][i] *= factor;
+        }
+        const double condition = longest_row(shear) * longest_row(back);
         if (condition > 1e7) {
             shape_error(i, fmt::format("expected a transform with a condition number of at most 1e7, found "
                                        "{:.3g}",

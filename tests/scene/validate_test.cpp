@@ -282,7 +282,7 @@ TEST(Validate, MapsOfMeshesAreWellConditioned) {
     scene.files = {"a.glint"};
     scene.lights.emplace_back();
     scene.meshes.push_back(std::make_shared<const MeshData>(data));
-    scene.transforms = {scaling({1, 1, 1.0001e-7})};
+    scene.transforms = {compose(rotation_x(30), scaling({1, 1, 1e-9}))};
     scene.add(Mesh{0}, k_none, 0);
     scene.shape_texts.places = {{12, 3, 0}};
     EXPECT_TRUE(validate(scene).empty()) << validate(scene)[0].message;
@@ -290,8 +290,10 @@ TEST(Validate, MapsOfMeshesAreWellConditioned) {
     const auto diagnostics = validate(scene);
     ASSERT_EQ(diagnostics.size(), 1u);
     EXPECT_EQ(diagnostics[0].message,
-              "mesh 1: expected a transform with a condition number of at most 1e7, found 8.51e+07");
+              "mesh 1: expected a transform with a condition number of at most 1e7, found 7.24e+07");
     EXPECT_EQ(diagnostics[0].line, 12u);
+    scene.transforms[0] = compose(rotation_x(30), compose(scaling({2e-7, 1, 1}), rotation_y(40)));
+    EXPECT_TRUE(validate(scene).empty()) << validate(scene)[0].message;
     // Large or small is not badly conditioned, and other shapes have other formulas.
     scene.transforms[0] = scaling({1e-9, 1e-9, -1e-9});
     EXPECT_TRUE(validate(scene).empty()) << validate(scene)[0].message;

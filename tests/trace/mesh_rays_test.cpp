@@ -27,6 +27,7 @@ std::vector<Named> maps() {
             {"large", scaling({1e6, 1e6, 1e6})},
             {"mirrored", scaling({-1, 1, 1})},
             {"uneven", compose(turned, scaling({30, 1, 0.03}))},
+            {"uneven by 1e9", compose(turned, scaling({1, 1, 1e-9}))},
             {"far", translation({-1e6, 3e5, 0})},
             {"far and turned",
              compose(turned, compose(scaling({1e-3, 1e-3, -1e-3}), translation({1e8, 0, 5e7})))}};
