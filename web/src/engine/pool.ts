@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // One worker per core, and a queue of jobs.
+import type {OpenRequest} from 'glint-wasm';
+
 import type {Answers, FromWorker, Job, Task, ToWorker} from './protocol';
 
 /** The job was cancelled, or its worker was terminated. */
 export class Stopped extends Error {}
 
+interface OpenScene {
+    key: number;
+    bytes: number;
+}
+
 interface Waiting {
     job: Job;
+    /** What the scene takes in a worker, about. */
+    bytes: number;
     done: (answer: Answers[keyof Answers]) => void;
     failed: (why: Error) => void;
 }
@@ -15,14 +24,25 @@ interface Member {
     worker: Worker;
     running: Waiting | null;
     timer: number;
-    /** By view: the key of its scene in this worker. */
-    open: Map<string, number>;
+    /** By view: its scene in this worker. */
+    open: Map<string, OpenScene>;
 }
 
 /** Reading a text or explaining a pixel is aborted after this time, in milliseconds. */
 const patience: Record<Task['what'], number> = {open: 10_000, explain: 10_000, convert: 10_000, compare: 120_000, 'compare-picture': 600_000, layers: 10_000, tile: Infinity};
 /** A tile that is no longer needed may finish within this time; then its worker is terminated. */
 const grace = 250;
+
+/** The bytes that the scenes of all workers may take: a large one is opened in fewer of them, but always in one. */
+const budget = 1.5e9;
+/** What a scene takes for each byte of its texts: 3 to 7, measured of large meshes in .pov, .dat and .ply. */
+const bytesPerByte = 7;
+
+function bytesOf({texts, includes = []}: OpenRequest): number {
+    return [...texts, ...includes].reduce((sum, {text, base64}) => sum + text.length + (base64?.length ?? 0) * 3 / 4, 0) * bytesPerByte;
+}
+
+const newWorker = () => new Worker(new URL('./worker.ts', import.meta.url), {type: 'module'});
 
 export class Pool {
     readonly size: number;
@@ -31,13 +51,13 @@ export class Pool {
     #queue: Waiting[] = [];
     #nextId = 0;
 
-    constructor(private readonly module: WebAssembly.Module, size: number) {
+    constructor(private readonly module: WebAssembly.Module, size: number, private readonly create: () => Worker = newWorker) {
         this.size = size;
         this.#members = Array.from({length: size}, () => this.#start());
     }
 
     #start(): Member {
-        const worker = new Worker(new URL('./worker.ts', import.meta.url), {type: 'module'});
+        const worker = this.create();
         const member: Member = {worker, running: null, timer: 0, open: new Map()};
         worker.addEventListener('message', ({data}: MessageEvent<FromWorker>) => this.#finish(member, data));
         worker.addEventListener('error', () => this.#replace(member, 'the worker stopped'));
@@ -48,7 +68,7 @@ export class Pool {
     /** Queues a job. Urgent jobs come first. */
     run<T extends Task>(job: Job & {task: T}, urgent = false): Promise<Answers[T['what']]> {
         return new Promise((done, failed) => {
-            (urgent ? this.#urgent : this.#queue).push({job, done: done as Waiting['done'], failed});
+            (urgent ? this.#urgent : this.#queue).push({job, bytes: bytesOf(job.request), done: done as Waiting['done'], failed});
             this.#next();
         });
     }
@@ -92,13 +112,22 @@ export class Pool {
         this.#next();
     }
 
+    /** Whether the worker may open the job's scene, in place of what it has of this view. */
+    #mayOpen(member: Member, {job, bytes}: Waiting): boolean {
+        if (!this.#members.some(({open}) => open.get(job.view)?.key === job.key)) return true;
+        const held = this.#members.flatMap(({open}) => [...open.values()]).reduce((sum, scene) => sum + scene.bytes, 0);
+        return held - (member.open.get(job.view)?.bytes ?? 0) + bytes <= budget;
+    }
+
     #next() {
         for (const member of this.#members) {
-            const queue = this.#urgent.length > 0 ? this.#urgent : this.#queue;
-            if (member.running || queue.length === 0) continue;
+            if (member.running) continue;
             // Prefer jobs whose scene is already open in this worker.
-            const has = ({job}: Waiting) => member.open.get(job.view) === job.key;
-            const waiting = has(queue[0]!) ? queue[0]! : (queue.find(has) ?? queue[0]!);
+            const has = ({job}: Waiting) => member.open.get(job.view)?.key === job.key;
+            const choose = (queue: Waiting[]) => queue.find(has) ?? queue.find((waiting) => this.#mayOpen(member, waiting));
+            const waiting = choose(this.#urgent) ?? choose(this.#queue);
+            if (!waiting) continue;
+            const queue = this.#urgent.includes(waiting) ? this.#urgent : this.#queue;
             queue.splice(queue.indexOf(waiting), 1);
             const {view, key, request, prepare, task} = waiting.job;
             const message: ToWorker = {
@@ -106,7 +135,7 @@ export class Pool {
                 request: has(waiting) ? null : request,
             };
             member.running = waiting;
-            member.open.set(view, key);
+            member.open.set(view, {key, bytes: waiting.bytes});
             this.#limit(member, patience[task.what]);
             member.worker.postMessage(message);
         }
