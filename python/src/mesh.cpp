@@ -56,8 +56,37 @@ template <class T, class Item> std::vector<Item> checked_items(const py::object&
     return items_of<T, Item>(rows);
 }
 
-bool is_float32(const py::object& value) {
-    return py::isinstance<py::array>(value) && py::isinstance<py::array_t<float>>(value);
+template <class T> bool is_array_of(const py::object& value) {
+    return py::isinstance<py::array>(value) && py::isinstance<py::array_t<T>>(value);
+}
+
+template <class T> std::vector<TriangleCorners> triangles_of(const py::object& value, std::size_t vertices) {
+    const Rows<T> rows = to_rows<T>(value, "triangles");
+    const auto count = static_cast<double>(vertices);
+    std::vector<TriangleCorners> triangles(static_cast<std::size_t>(rows.shape(0)));
+    const T* at = rows.data();
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        for (std::uint32_t& corner : triangles[i]) {
+            const auto x = static_cast<double>(*at);
+            if (!(x >= 0 && x < count))
+                throw py::value_error(fmt::format(
+                    "triangles: triangle {}: expected a vertex below {}, found {}", i, count, *at));
+            if (x != std::floor(x))
+                throw py::value_error(
+                    fmt::format("triangles: triangle {}: expected a whole number, found {}", i, *at));
+            corner = static_cast<std::uint32_t>(*at++);
+        }
+    }
+    return triangles;
+}
+
+// Arrays of the usual types are read in place. All others, as doubles: negative numbers and fractions are not
+// taken for others.
+std::vector<TriangleCorners> triangles_in(const py::object& value, std::size_t vertices) {
+    if (is_array_of<std::int32_t>(value)) return triangles_of<std::int32_t>(value, vertices);
+    if (is_array_of<std::uint32_t>(value)) return triangles_of<std::uint32_t>(value, vertices);
+    if (is_array_of<std::int64_t>(value)) return triangles_of<std::int64_t>(value, vertices);
+    return triangles_of<double>(value, vertices);
 }
 
 void set_values(CornerValues& to, const py::object& rows, const char* name, std::size_t vertices) {
@@ -72,28 +101,12 @@ void set_values(CornerValues& to, const py::object& rows, const char* name, std:
 std::shared_ptr<const MeshData> make_data(const py::object& vertices, const py::object& triangles,
                                           const py::object& normals, const py::object& colors) {
     auto data = std::make_shared<MeshData>();
-    if (is_float32(vertices)) {
+    if (is_array_of<float>(vertices)) {
         data->single_positions = checked_items<float, Float3>(vertices, "vertices");
     } else {
         data->positions = checked_items<double, Vec3>(vertices, "vertices");
     }
-    // As doubles, so that negative numbers and fractions are not taken for others.
-    const Rows<double> corners = to_rows<double>(triangles, "triangles");
-    const auto count = static_cast<double>(data->vertex_count());
-    data->triangles.reserve(static_cast<std::size_t>(corners.shape(0)));
-    const double* at = corners.data();
-    for (py::ssize_t i = 0; i < corners.shape(0); ++i, at += 3) {
-        for (int k = 0; k < 3; ++k) {
-            if (!(at[k] >= 0 && at[k] < count))
-                throw py::value_error(fmt::format(
-                    "triangles: triangle {}: expected a vertex below {}, found {}", i, count, at[k]));
-            if (at[k] != std::floor(at[k]))
-                throw py::value_error(
-                    fmt::format("triangles: triangle {}: expected a whole number, found {}", i, at[k]));
-        }
-        data->triangles.push_back({static_cast<std::uint32_t>(at[0]), static_cast<std::uint32_t>(at[1]),
-                                   static_cast<std::uint32_t>(at[2])});
-    }
+    data->triangles = triangles_in(triangles, data->vertex_count());
     set_values(data->normals, normals, "normals", data->vertex_count());
     set_values(data->colors, colors, "colors", data->vertex_count());
     return data;

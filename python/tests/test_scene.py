@@ -235,6 +235,9 @@ def test_meshes():
     for vertices, triangles, message in (
         (corners, [(0, 1, 4)], "triangles: triangle 0: expected a vertex below 4, found 4"),
         (corners, [(0, 1, -1)], "found -1"),
+        (corners, np.int32([(0, 1, -1)]), "triangle 0: expected a vertex below 4, found -1"),
+        (corners, np.uint32([(0, 1, 2), (0, 4294967295, 3)]), "triangle 1: .* found 4294967295"),
+        (corners, np.int64([(0, 1, 2**62)]), "found 4611686018427387904"),
         (corners, [(0, 1, 2), (0, 1.7, 3)], "triangles: triangle 1: expected a whole number, found 1.7"),
         (corners, [(0, 1, np.nan)], "triangles: triangle 0: expected a vertex below 4, found nan"),
         ([*corners[:3], (0, np.nan, 0)], [(0, 1, 2)], "vertices: row 3: expected a number from -1e12 to 1e12, found nan"),
