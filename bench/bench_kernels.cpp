@@ -62,8 +62,8 @@ double shade(const double* columns, std::size_t stride, std::size_t count) {
                                     load(columns + (k + 2) * stride + i)};
         };
         const auto c = cosines(triple_at(0), triple_at(3), triple_at(6), rules);
-        const auto t = terms(c, load(columns + 9 * stride + i), rules);
-        sum += t.diffuse + t.specular;
+        const Doubles power = highlight_power(c.s, load(columns + 9 * stride + i), rules);
+        sum += diffuse_term(c.n_l, rules) + select(has_highlight(c, rules), power, Doubles(0));
     }
     alignas(64) double lanes[lane_count<double>()];
     store(sum, lanes);

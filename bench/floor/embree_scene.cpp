@@ -17,7 +17,7 @@ using namespace glint;
 namespace {
 
 void stop(const char* why) {
-    std::fprintf(stderr, "floor_embree: %s\n", why);
+    std::fprintf(stderr, "embree: %s\n", why);
     std::exit(1);
 }
 
