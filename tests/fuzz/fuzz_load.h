@@ -2,6 +2,7 @@
 #pragma once
 // The fuzzing of texts: load them and check the result.
 #include <algorithm>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -31,6 +32,14 @@ class FewSteps {
     mutable int calls_ = 0;
 };
 
+/// load(), which a FewSteps may cancel.
+inline Result<Scene> load_few_steps(std::span<const SceneText> texts, LoadOptions options = {},
+                                    Sources* sources = nullptr) {
+    const FewSteps steps(texts[0].format);
+    options.cancel = &steps;
+    return load(texts, options, sources);
+}
+
 /// The texts that may be included: a part of the text itself, under any name. At most 200 bytes.
 class FuzzSources : public Sources {
   public:
@@ -48,10 +57,7 @@ class FuzzSources : public Sources {
 inline std::string fuzz_load(std::string_view text, std::string format, const LoadOptions& options = {}) {
     const SceneText texts[] = {{"fuzz", text, std::move(format)}};
     FuzzSources sources(text);
-    const FewSteps steps(texts[0].format);
-    LoadOptions limited = options;
-    limited.cancel = &steps;
-    const Result<Scene> result = load(texts, limited, &sources);
+    const Result<Scene> result = load_few_steps(texts, options, &sources);
     if (result.code == ErrorCode::cancelled) return {};
     std::string printed;
     for (const Diagnostic& d : result.diagnostics) printed += to_string(d);

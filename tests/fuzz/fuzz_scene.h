@@ -17,10 +17,7 @@ namespace glint::test {
 /// string.
 inline std::string fuzz_convert(std::string_view text, std::string format) {
     const SceneText texts[] = {{"fuzz", text, std::move(format)}};
-    const FewSteps steps(texts[0].format);
-    LoadOptions options;
-    options.cancel = &steps;
-    const Result<Scene> first = load(texts, options);
+    const Result<Scene> first = load_few_steps(texts);
     if (!first) return {};
     const std::string written = write_glint(*first, texts).value();
     if (written.empty()) return "a scene that is not written";
@@ -70,10 +67,7 @@ inline void reduce_samples(Scene& scene) {
 /// message or an empty string.
 inline std::string fuzz_render(std::string_view text, std::string format) {
     const SceneText texts[] = {{"fuzz", text, std::move(format)}};
-    const FewSteps steps(texts[0].format);
-    LoadOptions limited;
-    limited.cancel = &steps;
-    Result<Scene> loaded = load(texts, limited);
+    Result<Scene> loaded = load_few_steps(texts);
     if (!loaded) return {};
     reduce_samples(*loaded);
     const Result<World> prepared = prepare(*loaded, {.threads = 1});
