@@ -39,7 +39,7 @@ function split(markdown, where) {
     return parts;
 }
 
-/** Without the end tags that HTML lets out, which are 1 kB of the compressed page. */
+/** Without the end tags that HTML allows to omit: they are 1 kB of the compressed page. */
 const shorter = (html) => html.replace(/\n?<\/(td|tr|th|thead|tbody|li|p)>\n?/g, '');
 
 function lesson(file) {
