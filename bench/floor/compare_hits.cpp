@@ -50,6 +50,7 @@ int main(int count, char** arguments) {
     const glint::Result<glint::Rendering> drawn = glint::render(*world, options);
     if (!drawn) return fail("compare_hits", drawn);
     const EmbreeScene embree(*scene, 2);
+    const double scene_size = embree.size();
     const std::vector<float>& depth = drawn->layers[0].values;
     const std::vector<float>& normal = drawn->layers[1].values;
     std::vector<double> depths, normals;
@@ -63,8 +64,7 @@ int main(int count, char** arguments) {
             if (is_hit != std::isfinite(depth[at])) ++one;
             if (!is_hit || !std::isfinite(depth[at])) continue;
             const Vec3 n{normal[3 * at], normal[3 * at + 1], normal[3 * at + 2]};
-            depths.push_back(std::abs(length(hit.point - scene->camera.position) - depth[at]) /
-                             embree.size());
+            depths.push_back(std::abs(length(hit.point - scene->camera.position) - depth[at]) / scene_size);
             normals.push_back(std::min(length(n - hit.normal), length(n + hit.normal)));
         }
     }

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <utility>
 
 #include "glint/shapes.h"
 #include "math/transform.h"
@@ -143,7 +144,6 @@ void EmbreeScene::add_triangles(const Scene& scene) {
         materials.resize(triangles.size(), shape.material);
     }
     normals_.resize(3 * triangles.size());
-    flat_ = triangles;
     if (triangles.empty()) return;
     RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
     float* out = vertex_buffer(geometry, RTC_FORMAT_FLOAT3, 3, triangles.size() * 3);
@@ -153,6 +153,7 @@ void EmbreeScene::add_triangles(const Scene& scene) {
     for (std::size_t i = 0; i < triangles.size() * 3; ++i) index[i] = static_cast<unsigned>(i);
     attach(geometry);
     triangles_ = static_cast<unsigned>(materials_.size());
+    flat_ = std::move(triangles);
     materials_.push_back(std::move(materials));
 }
 
