@@ -177,26 +177,5 @@ TEST(Mesh, TwoCopiesAreAsOneMeshUsedTwice) {
     EXPECT_EQ(render_scene(one).rgb, render_scene(two).rgb);
 }
 
-TEST(Mesh, AnEditMovesAllOfIt) {
-    Random random(37);
-    Scene scene;
-    set_size(scene, 60, 50);
-    scene.camera.position = {0, 1, 14};
-    scene.camera.look_at = {0, 0, 0};
-    scene.lights = {point_light({5, 9, 19})};
-    scene.meshes.push_back(std::make_shared<const MeshData>(random_mesh(random, false, true)));
-    scene.transforms = {translation({-3, 0, 0}), translation({3, 0, 0})};
-    scene.add(Mesh{0}, k_none, 0);
-    scene.add(Sphere{{0, 0, -4}, 2});
-    std::optional<World> world = make_world(scene);
-    ASSERT_TRUE(world);
-    scene.shapes[0].transform = 1;
-    const std::uint32_t changed[] = {0};
-    const Result<ShapeEdit> edit = edit_shapes(*world, scene, changed);
-    ASSERT_TRUE(edit) << to_string(edit);
-    EXPECT_EQ(*edit, ShapeEdit::refitted);
-    EXPECT_EQ(render_world(*world).rgb, render_scene(scene).rgb);
-}
-
 }  // namespace
 }  // namespace glint::test
