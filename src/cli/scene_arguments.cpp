@@ -189,6 +189,7 @@ LoadedScene load_scene(const SceneArguments& arguments, TextReader& reader) {
         print(result.diagnostics);
         throw_failure(result);
     }
+    for (const InputFile& file : files) file.release();  // few commands need the text again
     return {std::move(*result), std::move(result.diagnostics), std::move(files), std::move(texts),
             sources.hashes(),   reach_of_includes(arguments)};
 }
