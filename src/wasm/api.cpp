@@ -108,13 +108,18 @@ GlintScene* glint_open(const char* request, std::uint32_t length) {
     }
     scene->texts = glint::wasm::read_texts(parsed);
     std::vector<std::string> missing;
-    glint::Result<glint::ValidatedScene> loaded = glint::wasm::load(scene->texts, parsed, missing);
+    // Reading a large text and building its hierarchy take about the same time.
+    glint::Result<glint::ValidatedScene> loaded =
+        glint::wasm::load(scene->texts, parsed, missing, [](double done) { glint_progress(0.5 * done); });
     if (!missing.empty()) scene->report["missing"] = missing;
     for (const glint::Diagnostic& d : loaded.diagnostics)
         scene->report["diagnostics"].push_back(glint::wasm::to_json(d));
     if (loaded) {
+        glint::PrepareOptions options;
+        options.threads = 1;
+        options.progress = [](double done) { glint_progress(0.5 + 0.5 * done); };
         // What prepare() says, load() has said: it validates too.
-        if (glint::Result<glint::World> prepared = glint::prepare(*loaded, {.threads = 1}))
+        if (glint::Result<glint::World> prepared = glint::prepare(*loaded, options))
             scene->world = *std::move(prepared);
         scene->scene = std::move(*loaded).release();
         scene->opened = glint::wasm::Changeable(*scene->scene);

@@ -7,8 +7,11 @@
 
 #if defined(__wasm__)
 #define GLINT_WASM_EXPORT(name) __attribute__((export_name(#name))) name
+#define GLINT_WASM_IMPORT(from_host, name) \
+    __attribute__((import_module("glint"), import_name(#from_host))) name
 #else
 #define GLINT_WASM_EXPORT(name) name
+#define GLINT_WASM_IMPORT(from_host, name) name
 #endif
 
 extern "C" {
@@ -18,6 +21,9 @@ struct GlintScene;
 /// Memory for a request; null if there is not enough.
 char* GLINT_WASM_EXPORT(glint_allocate)(std::uint32_t bytes);
 void GLINT_WASM_EXPORT(glint_free)(char* memory);
+
+/// Of the host: called by glint_open with the part of it that is done, from 0 to 1.
+void GLINT_WASM_IMPORT(progress, glint_progress)(double done);
 
 /// Reads and prepares a scene. The request is JSON: {"texts": [{"name": "a.cgfs", "text": "...", "format":
 /// "cgfs"}], "profile": "cgfs", "scene": "name", "settings": {"size": "640x480"}, "includes": [{"name",

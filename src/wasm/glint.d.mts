@@ -557,8 +557,11 @@ export interface Glint {
     readonly version: string;
     /** Bytes of memory that the instance has allocated from its host, at most 2 GiB. It never frees them. */
     readonly memoryBytes: number;
-    /** Reads and prepares a scene. Close it when it is no longer needed. Throws if a string has a lone surrogate. */
-    open(request: OpenRequest | string): Scene;
+    /**
+     * Reads and prepares a scene. Close it when it is no longer needed. Throws if a string has a lone surrogate. `progress` is
+     * called now and then with the part that is done, from 0 to 1, and must not throw.
+     */
+    open(request: OpenRequest | string, options?: {progress?: ((done: number) => void) | null}): Scene;
 }
 
 /** All but close() throw after close(). Numbers of pixels must be whole. */

@@ -42,10 +42,14 @@ export const load = async (from) => instantiate(await compile(from));
 /** Creates an instance of glint from a compiled WebAssembly.Module of glint.wasm. */
 export async function instantiate(module) {
     let exports = null;
-    const instance = await WebAssembly.instantiate(module, {wasi_snapshot_preview1: wasi(() => exports.memory)});
+    const host = {progress: null};
+    const instance = await WebAssembly.instantiate(module, {
+        wasi_snapshot_preview1: wasi(() => exports.memory),
+        glint: {progress: (done) => host.progress?.(done)},
+    });
     exports = instance.exports;
     exports._initialize();
-    return new Glint(checkedExports(exports));
+    return new Glint(checkedExports(exports), host);
 }
 
 /** An instance ended in a trap, or has ended before: nothing can be done with it and its scenes. */
@@ -75,9 +79,11 @@ function checkedExports(exports) {
 
 class Glint {
     #exports;
+    #host;
 
-    constructor(exports) {
+    constructor(exports, host) {
         this.#exports = exports;
+        this.#host = host;
     }
 
     get version() {
@@ -90,8 +96,13 @@ class Glint {
     }
 
     /** Reads and prepares a scene. Close it when it is no longer needed. */
-    open(request) {
-        return new Scene(this.#exports, withText(this.#exports, request, (at, length) => this.#exports.glint_open(at, length)));
+    open(request, {progress = null} = {}) {
+        this.#host.progress = progress;
+        try {
+            return new Scene(this.#exports, withText(this.#exports, request, (at, length) => this.#exports.glint_open(at, length)));
+        } finally {
+            this.#host.progress = null;
+        }
     }
 }
 

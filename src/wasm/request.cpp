@@ -137,9 +137,10 @@ std::vector<std::string> mesh_files(const Scene& scene) {
     return names;
 }
 
-Result<ValidatedScene> load(const RequestTexts& texts, const json& request,
-                            std::vector<std::string>& missing) {
+Result<ValidatedScene> load(const RequestTexts& texts, const json& request, std::vector<std::string>& missing,
+                            Function<void(double)> progress) {
     LoadOptions options;
+    options.progress = std::move(progress);
     options.profile = string_member(request, "profile");
     options.scene_name = string_member(request, "scene");
     if (const json& most = member(request, "maxMemory"); most.is_number() && most.get<double>() >= 1)

@@ -30,8 +30,9 @@ RequestTexts read_texts(const nlohmann::json& request);
 std::vector<std::string> mesh_files(const Scene& scene);
 
 /// Reads the scene that a request of glint_open names. `missing`: the included texts that it does not have.
+/// progress: as in LoadOptions.
 Result<ValidatedScene> load(const RequestTexts& texts, const nlohmann::json& request,
-                            std::vector<std::string>& missing);
+                            std::vector<std::string>& missing, Function<void(double)> progress = {});
 
 /// What a request of glint_prepare can change.
 struct Changeable {

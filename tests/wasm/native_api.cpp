@@ -14,6 +14,8 @@
 #include "wasm/api.h"
 #include "wasm/request.h"
 
+void glint_progress(double) {}
+
 namespace {
 
 bool write(const void* data, std::size_t bytes) { return std::fwrite(data, 1, bytes, stdout) == bytes; }

@@ -74,8 +74,8 @@ test('a .zip is opened: the scene that no other one includes, and a menu of the 
 })));
 
 /** A binary .ply file: a fan of triangles. */
-function fan() {
-    const count = 12, header = `ply\nformat binary_little_endian 1.0\nelement vertex ${count + 1}\nproperty float x\nproperty float y\nproperty float z\nelement face ${count - 1}\nproperty list uchar int vertex_indices\nend_header\n`;
+function fan(count = 12) {
+    const header = `ply\nformat binary_little_endian 1.0\nelement vertex ${count + 1}\nproperty float x\nproperty float y\nproperty float z\nelement face ${count - 1}\nproperty list uchar int vertex_indices\nend_header\n`;
     const points = Array.from({length: count}, (_, i) => [Math.cos(i / 2), Math.sin(i / 2), i / 9]);
     const vertices = Buffer.from(new Float32Array([[0, 0, 1], ...points].flat()).buffer);
     const faces = Array.from({length: count - 1}, (_, i) => {
@@ -105,6 +105,24 @@ mesh { file = "fan.ply" }
     await settled(page);
     assert.deepEqual(await picture(page), native(join(folder, 'two/a.glint')));
 })));
+
+test('the page says how much of a large file is read', () => withPage(async (page) => {
+    await page.evaluate(() => {
+        window.said = [];
+        const note = () => {
+            for (const one of document.querySelectorAll('.notice, [data-state]')) window.said.push(one.textContent);
+        };
+        new MutationObserver(note).observe(document.body, {subtree: true, childList: true, characterData: true});
+    });
+    await drop(page, {name: 'fan.ply', text: fan(600_000)});
+    await named(page, 'fan.glint');
+    await settled(page);
+    const said = await page.evaluate(() => window.said);
+    const parts = said.map((text) => /^Reading fan\.ply: (\d+)%/.exec(text)?.[1]).filter(Boolean).map(Number);
+    assert.ok(parts.length > 1 && parts.every((part, i) => i === 0 || part >= parts[i - 1]), parts.join(' '));
+    assert.ok(said.some((text) => /^reading · \d+%$/.test(text)));
+    assert.ok(!/Reading/.test((await page.locator('.notice').allInnerTexts()).join()));
+}));
 
 test('a shape of an included text names that text, which opens and can be changed', () => withPage(async (page) => {
     const text = 'include "parts/ball.glint"\nrender { size = 80 x 60 }\ncamera { position = (0, 0, 6)  look_at = (0, 0, 0) }\nlight { type = ambient  intensity = 1 }\n';

@@ -41,7 +41,7 @@ function poolOfFour() {
         task: {what: 'tile', rect: {x: 0, y: 0, width: 1, height: 1}},
     }));
     const openedBy = (key) => workers.filter(({opened}) => opened.has(key)).length;
-    return {run, finish, openedBy};
+    return {run, finish, openedBy, pool, workers};
 }
 
 test('a small scene is opened by all workers, a large one by as many as have room', async () => {
@@ -51,6 +51,34 @@ test('a small scene is opened by all workers, a large one by as many as have roo
         finish();
         await Promise.all(answers);
         assert.equal(openedBy(key), workers, `${bytes} bytes`);
+    }
+});
+
+test('a job that reports its progress has its time again, unless it is cancelled', async () => {
+    const timers = new Map();
+    let last = 0;
+    const {setTimeout: before, clearTimeout: beforeClear} = globalThis;
+    globalThis.setTimeout = window.setTimeout = (_, milliseconds) => timers.set(++last, milliseconds) && last;
+    globalThis.clearTimeout = (timer) => timers.delete(timer);
+    try {
+        const {pool, workers} = poolOfFour();
+        const parts = [];
+        const job = {view: 'main', key: 1, request: {texts: [{name: 'a.ply', text: 'x'}]}, prepare: {}, task: {what: 'open'}};
+        const answer = pool.run(job, true, (done) => parts.push(done));
+        const [id] = workers[0].jobs, [first] = timers.keys();
+        workers[0].answer({data: {id, done: 0.4}});
+        assert.deepEqual(parts, [0.4]);
+        assert.ok(!timers.has(first) && timers.size === 1);
+        pool.cancel('main', 1);
+        const [limited] = timers.entries();
+        workers[0].answer({data: {id, done: 0.5}});
+        assert.deepEqual([parts, ...timers.entries()], [[0.4], limited]);
+        workers[0].answer({data: {id, answer: {}}});
+        await answer;
+        assert.equal(timers.size, 0);
+    } finally {
+        Object.assign(globalThis, {setTimeout: before, clearTimeout: beforeClear});
+        window.setTimeout = before;
     }
 });
 

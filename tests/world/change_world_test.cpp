@@ -285,6 +285,24 @@ TEST(ChangeWorld, TheDefaultWorldIsEmpty) {
     EXPECT_TRUE(draw_the_same(changed, prepared(scene)));
 }
 
+TEST(ChangeWorld, PrepareReportsTheProgressOfMeshes) {
+    Scene scene;
+    for (const std::uint32_t triangles : {10u, 90u}) {
+        MeshData mesh;
+        for (std::uint32_t i = 0; i < triangles; ++i) mesh.triangles.push_back({0, 1, 2});
+        mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+        scene.meshes.push_back(std::make_shared<const MeshData>(mesh));
+        scene.add(Mesh{triangles == 10 ? 0u : 1u});
+    }
+    std::vector<double> reported;
+    PrepareOptions options;
+    options.progress = [&](double done) { reported.push_back(done); };
+    ASSERT_TRUE(prepare(scene, options));
+    EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
+    EXPECT_GE(reported.size(), 5u);
+    EXPECT_EQ(reported.back(), 1);
+}
+
 TEST(ChangeWorld, PrepareReportsProgressAndCanBeCancelled) {
     Random random(5);
     const Scene scene = random_scene(random, 30000);

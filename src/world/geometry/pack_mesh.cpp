@@ -21,6 +21,9 @@ constexpr std::array<LeafCost, 1> k_mesh_leaf_costs{};
 // Slots are in leaf order. Nothing but the corners and numbers of the triangles is stored by slot.
 std::shared_ptr<const PackedMesh> pack_mesh(const std::shared_ptr<const MeshData>& data,
                                             const PrepareOptions& options) {
+    const auto report = [&](double done) {
+        if (options.progress) options.progress(done);
+    };
     auto packed = std::make_shared<PackedMesh>();
     packed->data = data;
     const MeshData& mesh = *data;
@@ -37,9 +40,11 @@ std::shared_ptr<const PackedMesh> pack_mesh(const std::shared_ptr<const MeshData
         leaf.item = static_cast<std::uint32_t>(i);
         leaf.item_class = 0;
     });
+    report(0.15);
     PackedGeometry& geometry = packed->geometry;
     geometry.bvh = build_bvh(leaves, k_mesh_leaf_costs, options.threads, options.cancel);
     if (options.cancel.is_set()) return nullptr;
+    report(0.75);
     geometry.bounded = geometry.count = count;
     ShapeClass triangles;
     triangles.kind = ShapeKind::triangle;
@@ -65,9 +70,28 @@ std::shared_ptr<const PackedMesh> pack_mesh(const std::shared_ptr<const MeshData
 
 }  // namespace
 
+double count_mesh_triangles(const Scene& scene) {
+    double count = 0;
+    for (const auto& mesh : scene.meshes)
+        count += mesh == nullptr ? 0 : static_cast<double>(mesh->triangles.size());
+    return count;
+}
+
+PrepareOptions part_of(const PrepareOptions& options, double from, double to) {
+    PrepareOptions part = options;
+    if (options.progress) {
+        part.progress = [whole = options.progress, from, to](double done) {
+            whole(from + done * (to - from));
+        };
+    }
+    return part;
+}
+
 bool pack_meshes(const Scene& scene, PackedMeshes& meshes, const PrepareOptions& options) {
     const PackedMeshes known = std::move(meshes);
     meshes.assign(scene.meshes.size(), nullptr);
+    const double all = std::max(1.0, count_mesh_triangles(scene));
+    double done = 0;
     for (const Shape& shape : scene.shapes) {
         if (shape.kind != ShapeKind::mesh) continue;
         const std::uint32_t index = scene.get<Mesh>()[shape.index].mesh;
@@ -76,8 +100,11 @@ bool pack_meshes(const Scene& scene, PackedMeshes& meshes, const PrepareOptions&
         const auto same = std::find_if(known.begin(), known.end(), [&](const auto& mesh) {
             return mesh != nullptr && mesh->data == data;
         });
-        meshes[index] = same != known.end() ? *same : pack_mesh(data, options);
+        const double end = done + static_cast<double>(data->triangles.size());
+        meshes[index] =
+            same != known.end() ? *same : pack_mesh(data, part_of(options, done / all, end / all));
         if (meshes[index] == nullptr) return false;
+        done = end;
     }
     return true;
 }

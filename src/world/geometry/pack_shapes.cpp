@@ -174,8 +174,11 @@ class Packer {
 
 std::optional<PackedGeometry> pack_shapes(const Scene& scene, bool cones, const PrepareOptions& options) {
     PackedMeshes meshes;
-    if (!scene.meshes.empty() && !pack_meshes(scene, meshes, options)) return std::nullopt;
-    return Packer(scene, cones, meshes, options).run();
+    const double triangles = count_mesh_triangles(scene), shapes = static_cast<double>(scene.shapes.size());
+    const double of_meshes = triangles / std::max(1.0, triangles + shapes);  // the part of the work
+    if (!scene.meshes.empty() && !pack_meshes(scene, meshes, part_of(options, 0, of_meshes)))
+        return std::nullopt;
+    return Packer(scene, cones, meshes, part_of(options, of_meshes, 1)).run();
 }
 
 void write_primitive(const Primitives& primitives, const Primitive& primitive, const Aabb& box,

@@ -16,6 +16,7 @@ interface Waiting {
     job: Job;
     /** What the scene takes in a worker, about. */
     bytes: number;
+    opening: (done: number) => void;
     done: (answer: Answers[keyof Answers]) => void;
     failed: (why: Error) => void;
 }
@@ -24,11 +25,13 @@ interface Member {
     worker: Worker;
     running: Waiting | null;
     timer: number;
+    /** Its job is no longer needed. */
+    isCancelled: boolean;
     /** By view: its scene in this worker. */
     open: Map<string, OpenScene>;
 }
 
-/** Reading a text or explaining a pixel is aborted after this time, in milliseconds. */
+/** A job is aborted after this time without an answer or news of its progress, in milliseconds. */
 const patience: Record<Task['what'], number> = {open: 10_000, explain: 10_000, convert: 10_000, compare: 120_000, 'compare-picture': 600_000, layers: 10_000, tile: Infinity};
 /** A tile that is no longer needed may finish within this time; then its worker is terminated. */
 const grace = 250;
@@ -58,17 +61,17 @@ export class Pool {
 
     #start(): Member {
         const worker = this.create();
-        const member: Member = {worker, running: null, timer: 0, open: new Map()};
+        const member: Member = {worker, running: null, timer: 0, isCancelled: false, open: new Map()};
         worker.addEventListener('message', ({data}: MessageEvent<FromWorker>) => this.#finish(member, data));
         worker.addEventListener('error', () => this.#replace(member, 'the worker stopped'));
         worker.postMessage({kind: 'start', module: this.module} satisfies ToWorker);
         return member;
     }
 
-    /** Queues a job. Urgent jobs come first. */
-    run<T extends Task>(job: Job & {task: T}, urgent = false): Promise<Answers[T['what']]> {
+    /** Queues a job. Urgent jobs come first. opening: called with the part of the job's scene that is open, from 0 to 1. */
+    run<T extends Task>(job: Job & {task: T}, urgent = false, opening: (done: number) => void = () => {}): Promise<Answers[T['what']]> {
         return new Promise((done, failed) => {
-            (urgent ? this.#urgent : this.#queue).push({job, bytes: bytesOf(job.request), done: done as Waiting['done'], failed});
+            (urgent ? this.#urgent : this.#queue).push({job, bytes: bytesOf(job.request), opening, done: done as Waiting['done'], failed});
             this.#next();
         });
     }
@@ -81,7 +84,9 @@ export class Pool {
         this.#queue = this.#queue.filter((waiting) => !concerned(waiting));
         for (const waiting of withdrawn) waiting.failed(new Stopped());
         for (const member of this.#members) {
-            if (member.running && concerned(member.running)) this.#limit(member, grace);
+            if (!member.running || !concerned(member.running)) continue;
+            member.isCancelled = true;
+            this.#limit(member, grace);
         }
     }
 
@@ -101,6 +106,12 @@ export class Pool {
 
     #finish(member: Member, message: FromWorker) {
         const {running} = member;
+        if ('done' in message) {
+            if (!running || member.isCancelled) return;
+            this.#limit(member, patience[running.job.task.what]);
+            running.opening(message.done);
+            return;
+        }
         member.running = null;
         clearTimeout(member.timer);
         if (running && 'answer' in message) {
@@ -135,6 +146,7 @@ export class Pool {
                 request: has(waiting) ? null : request,
             };
             member.running = waiting;
+            member.isCancelled = false;
             member.open.set(view, {key, bytes: waiting.bytes});
             this.#limit(member, patience[task.what]);
             member.worker.postMessage(message);

@@ -61,5 +61,5 @@ export interface Answers {
     'compare-picture': Comparison;
 }
 
-/** broken: the instance ran out of memory or trapped; all its open scenes are lost. */
-export type FromWorker = {id: number; answer: Answers[keyof Answers]} | {id: number; error: string; broken: boolean};
+/** done: the part of a scene that a job has opened, from 0 to 1; the answer follows. broken: the instance ran out of memory or trapped; all its open scenes are lost. */
+export type FromWorker = {id: number; done: number} | {id: number; answer: Answers[keyof Answers]} | {id: number; error: string; broken: boolean};

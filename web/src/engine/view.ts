@@ -32,6 +32,8 @@ export interface ViewEvents {
     /** Pixels for a rectangle of the picture; coarse ones are stretched to it. */
     painted(tile: ImageData, to: Rect, stretched: boolean, content: ViewContent): void;
     progress(progress: Progress): void;
+    /** The content is being read: the part that is done, 0 to 1. Only of contents that take long. */
+    opening?(done: number): void;
     /** The picture is complete; perhaps that of the last scene without errors, after one with errors. */
     done(progress: Progress, key: number): void;
     failed(why: string, content: ViewContent): void;
@@ -180,7 +182,7 @@ export class View {
 
     async #open(content: ViewContent, key: number): Promise<Opening> {
         const job = {view: this.name, key, request: content.request, prepare: {}};
-        return {opened: await this.pool.run({...job, task: {what: 'open'}}, true), picture: null};
+        return {opened: await this.pool.run({...job, task: {what: 'open'}}, true, (done) => this.events.opening?.(done)), picture: null};
     }
 
     /** Opens the scene and renders its first, coarse picture in one step, if its size is that of the scene before. */

@@ -15,6 +15,16 @@ let wasm: WebAssembly.Module;
 let glint: Glint | null = null;
 const scenes = new Map<string, OpenScene>();
 
+/** Tells the page how much of a scene is open, ten times a second at most. */
+function reporter(id: number) {
+    let next = performance.now() + 100;
+    return (done: number) => {
+        if (performance.now() < next) return;
+        next = performance.now() + 100;
+        postMessage({id, done} satisfies FromWorker);
+    };
+}
+
 async function sceneOf(job: JobMessage): Promise<OpenScene> {
     glint ??= await instantiate(wasm);
     let open = scenes.get(job.view);
@@ -22,7 +32,7 @@ async function sceneOf(job: JobMessage): Promise<OpenScene> {
         open?.scene.close();
         scenes.delete(job.view);
         if (!job.request) throw new Error('the scene is not open here');
-        open = {key: job.key, scene: glint.open(job.request), prepared: '{}'};
+        open = {key: job.key, scene: glint.open(job.request, {progress: reporter(job.id)}), prepared: '{}'};
         scenes.set(job.view, open);
     }
     return open;

@@ -31,7 +31,7 @@ export const diagnostics = signal<Diagnostic[]>([]);
 export const missing = signal<string[]>([]);
 /** Why rendering failed, if the text is not the reason. */
 export const failure = signal('');
-export const state = signal<'starting' | 'rendering' | 'done' | 'error'>('starting');
+export const state = signal<'starting' | 'reading' | 'rendering' | 'done' | 'error'>('starting');
 export const progress = signal<Progress>({fraction: 0, rays: 0, milliseconds: 0});
 export const notice = signal('');
 /** The picture's size in pixels. */

@@ -123,6 +123,7 @@ function Status() {
     const reduced = asked ? ` (reduced from ${asked.width}×${asked.height})` : '';
     const words = {
         starting: 'starting',
+        reading: `reading · ${Math.round(100 * fraction)}%`,
         rendering: fraction > 0 && fraction < 1 ? `rendering${reduced} · ${Math.round(100 * fraction)}% · ${rate}` : 'rendering',
         done: `${width}×${height}${reduced} · ${Math.round(milliseconds)} ms · ${rate}`,
         error: `not rendered: ${failure.value || mistake}`,
@@ -138,7 +139,7 @@ function Status() {
                 <progress value={state.value === 'done' ? 1 : state.value === 'error' ? 0 : fraction} max={1} aria-label="Progress of the picture" />
                 <span class="mono words" data-state={state.value} title={words}>{words}</span>
                 <span class="for-readers" role="status" aria-label="Explanation">{pinned.value && `Pixel ${pinned.value.pixel.join(', ')}: ${sentence(pinned.value)}`}</span>
-                <span class="for-readers" role="status">{{starting: '', rendering: '', done: 'Rendered', error: 'Not rendered'}[state.value]}</span>
+                <span class="for-readers" role="status">{{starting: '', reading: '', rendering: '', done: 'Rendered', error: 'Not rendered'}[state.value]}</span>
                 <CameraButtons />
             </div>
         </div>

@@ -112,6 +112,12 @@ export function connectViews(pool: Pool) {
         }, ({document}) => {
             shownId.value = document ?? 0;
         }),
+        opening: (done) => {
+            batch(() => {
+                state.value = 'reading';
+                progress.value = {fraction: done, rays: 0, milliseconds: 0};
+            });
+        },
         opened,
         progress: (now) => {
             progress.value = now;
