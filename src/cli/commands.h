@@ -35,6 +35,7 @@ Run add_compare(CLI::App& app);
 Run add_versus(CLI::App& app);
 Run add_grade(CLI::App& app);
 Run add_join(CLI::App& app);
+Run add_install_drop_ins(CLI::App& app);
 Run add_completion(CLI::App& app);
 Run add_man(CLI::App& app);
 Run add_help(CLI::App& app);

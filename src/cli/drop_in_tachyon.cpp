@@ -83,8 +83,10 @@ class TachyonArguments {
     }
 
     void read(const std::string& word) {
-        if (word == "-help") return void(parsed_.wants_help = true);
-        if (word == "-version" || word == "-banner") return void(parsed_.wants_version = true);
+        const bool is_alone = words_.size() == 1;  // Tachyon has no flags with two hyphens
+        if (word == "-help" || (is_alone && word == "--help")) return void(parsed_.wants_help = true);
+        if (word == "-version" || word == "-banner" || (is_alone && word == "--version"))
+            return void(parsed_.wants_version = true);
         if (word == "+V") return void(parsed_.render.quiet = false);
         if (word == "-V") return;
         if (word == "--skip-unsupported") return void(parsed_.render.scene.skip_unsupported = true);

@@ -62,6 +62,7 @@ int run(const std::vector<std::string>& arguments) {
         {"versus", add_versus(app)},
         {"grade", add_grade(app)},
         {"join", add_join(app)},
+        {"install-drop-ins", add_install_drop_ins(app)},
         {"completion", add_completion(app)},
         {"help", add_help(app)},
         {"version", add_version(app)},

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <regex>
 
 #include "cli/command_line.h"
@@ -263,6 +264,44 @@ TEST_F(CommandLines, InTachyonsPlaceRefusesAsTachyon) {
     const Finished stream = run({"b.dat", "--skip-unsupported", "-o", "-"});
     EXPECT_EQ(stream.out.size(), 18u + 48u) << "nothing but the picture";
     EXPECT_EQ(run_program(folder, {"a.dat"}, GLINT_TACHYON).code, 255);
+}
+
+TEST_F(CommandLines, DropInsAreLinksInAFolderOfTheUsers) {
+    namespace fs = std::filesystem;
+    const Folder folder;
+    const std::string links = folder.path("mine/links");
+    const auto install = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{"install-drop-ins"};
+        words.insert(words.end(), more.begin(), more.end());
+        return run_program(folder, words, GLINT_COMMAND);
+    };
+    const Finished done = install({"mine/links/"});
+    EXPECT_EQ(done.code, 0) << done.err;
+    EXPECT_TRUE(contains(done.out, "export PATH=\"" + links + ":$PATH\"")) << done.out;
+    EXPECT_EQ(run_program(folder, {"--version"}, links + "/tachyon").out,
+              "glint-tachyon (glint " GLINT_VERSION ")\n");
+    EXPECT_EQ(run_program(folder, {"--version"}, links + "/povray").out,
+              "glint-povray (glint " GLINT_VERSION ")\n");
+    EXPECT_EQ(install({links}).code, 0) << "again";
+    folder.write("mine/links/other", "");
+    EXPECT_EQ(install({"--remove", links}).code, 0);
+    EXPECT_FALSE(fs::exists(fs::symlink_status(links + "/tachyon")));
+    EXPECT_TRUE(fs::exists(links + "/other"));
+
+    folder.write("mine/links/tachyon", "another program");
+    const Finished refused = install({links});
+    EXPECT_EQ(refused.code, 1);
+    EXPECT_TRUE(contains(refused.err, "tachyon: is there already")) << refused.err;
+    EXPECT_FALSE(fs::exists(links + "/povray")) << "nothing is changed";
+    EXPECT_EQ(install({"--remove", links}).code, 0);
+    EXPECT_EQ(folder.read("mine/links/tachyon"), "another program");
+    fs::create_symlink("/usr/local", folder.path("far"));
+    for (const char* const systems : {"/usr/local/bin", "/usr/../bin", "/", "far/bin"}) {
+        const Finished r = install({systems});
+        EXPECT_EQ(r.code, 1) << systems;
+        EXPECT_TRUE(contains(r.err, "is a folder of the system")) << r.err;
+    }
+    EXPECT_TRUE(contains(install({"mine/links/other"}).err, "is no folder"));
 }
 
 TEST_F(CommandLines, PovrayRendersFramesAndParts) {

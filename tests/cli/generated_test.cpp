@@ -23,9 +23,12 @@ constexpr const char* k_programs[] = {"povray", "tachyon"};  // their own progra
 std::set<std::string> pages(const Folder& folder) {
     std::set<std::string> names;
     const std::string page = run(folder, {"man"}).out;
-    const std::regex name(R"(\n\.BR glint\\-([a-z]+) \(1\))");
-    for (std::sregex_iterator it(page.begin(), page.end(), name), end; it != end; ++it)
-        names.insert((*it)[1].str());
+    const std::regex name(R"(\n\.BR glint\\-([a-z\\-]+) \(1\))");
+    for (std::sregex_iterator it(page.begin(), page.end(), name), end; it != end; ++it) {
+        std::string found = (*it)[1].str();
+        std::erase(found, '\\');
+        names.insert(std::move(found));
+    }
     return names;
 }
 
@@ -117,7 +120,8 @@ TEST(Generated, BashCompletes) {
     folder.write("try.bash", R"(source ./glint.bash
 try() { COMP_WORDS=(glint "${@:2}"); COMP_CWORD=$(($# - 1)); _glint; [[ $(printf "%s\n" "${COMPREPLY[@]}" | sort | xargs) == "$1" ]] || { echo "$* gives ${COMPREPLY[*]}"; exit 1; }; }
 try --crop render --cr
-try info in
+try info inf
+try 'info install-drop-ins' in
 try blinn-phong render --shading bl
 try castle.json render ca
 try castle.png render castle.json -o castle.p
