@@ -557,6 +557,11 @@ export interface Glint {
     readonly version: string;
     /** Bytes of memory that the instance has allocated from its host, at most 2 GiB. It never frees them. */
     readonly memoryBytes: number;
+    /**
+     * Whether a call has needed what the instance's file leaves out, so that its result is not that of glint.wasm: never of
+     * glint.wasm. The playground starts with a smaller file, without POV-Ray's language, causes and check().
+     */
+    readonly leftOut: boolean;
     /** Reads and prepares a scene. Close it when it is no longer needed. Throws if a string has a lone surrogate. */
     open(request: OpenRequest | string): Scene;
 }

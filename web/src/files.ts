@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Saves the page's files.
-import {encodePng} from 'glint-wasm/png';
-
+import {fetchLater} from './store/later';
 import {comparison, fileName, isPictureOfScene, notice, settingOf} from './store/state';
 import {pixelsOf} from './ui/pictures';
 
@@ -25,14 +24,22 @@ export function pictureName(): string {
     return `${baseName()}_${words.join('')}.png`;
 }
 
-export function savePicture(canvas: HTMLCanvasElement) {
-    if (!isPictureOfScene.value) {
-        notice.value = 'There is no picture of this scene yet.';
-        return;
+const pictureWriter = () => import('glint-wasm/png');
+fetchLater(pictureWriter);
+
+export async function savePicture(canvas: HTMLCanvasElement) {
+    try {
+        const {encodePng} = await pictureWriter();
+        if (!isPictureOfScene.value) {
+            notice.value = 'There is no picture of this scene yet.';
+            return;
+        }
+        const {data, width, height} = pixelsOf(canvas);
+        const file = encodePng(data, width, height, {alpha: shownSetting('alpha') === 'true', srgb: shownSetting('transfer') === 'srgb'});
+        save(new Blob([file], {type: 'image/png'}), pictureName());
+    } catch (error) {
+        notice.value = `The picture is not saved: ${error instanceof Error ? error.message : String(error)}`;
     }
-    const {data, width, height} = pixelsOf(canvas);
-    const file = encodePng(data, width, height, {alpha: shownSetting('alpha') === 'true', srgb: shownSetting('transfer') === 'srgb'});
-    save(new Blob([file], {type: 'image/png'}), pictureName());
 }
 
 export function saveScene(text: string) {

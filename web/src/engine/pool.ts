@@ -18,10 +18,13 @@ interface Waiting {
     bytes: number;
     done: (answer: Answers[keyof Answers]) => void;
     failed: (why: Error) => void;
+    /** It was running when it was cancelled. */
+    isCancelled?: boolean;
 }
 
 interface Member {
     worker: Worker;
+    module: WebAssembly.Module;
     running: Waiting | null;
     timer: number;
     /** By view: its scene in this worker. */
@@ -49,20 +52,55 @@ export class Pool {
     #members: Member[];
     #urgent: Waiting[] = [];
     #queue: Waiting[] = [];
+    /** Those that the core cannot do, until there is the whole engine. */
+    #held: Waiting[] = [];
+    #module: WebAssembly.Module;
+    #whole: Promise<WebAssembly.Module> | null = null;
     #nextId = 0;
 
-    constructor(private readonly module: WebAssembly.Module, size: number, private readonly create: () => Worker = newWorker) {
+    /** The workers have the engine's core until a job needs the whole. */
+    constructor(core: WebAssembly.Module, private readonly loadWhole: () => Promise<WebAssembly.Module>, size: number,
+                private readonly create: () => Worker = newWorker) {
+        this.#module = core;
         this.size = size;
         this.#members = Array.from({length: size}, () => this.#start());
     }
 
     #start(): Member {
         const worker = this.create();
-        const member: Member = {worker, running: null, timer: 0, open: new Map()};
+        const module = this.#module;
+        const member: Member = {worker, module, running: null, timer: 0, open: new Map()};
         worker.addEventListener('message', ({data}: MessageEvent<FromWorker>) => this.#finish(member, data));
         worker.addEventListener('error', () => this.#replace(member, 'the worker stopped'));
-        worker.postMessage({kind: 'start', module: this.module} satisfies ToWorker);
+        worker.postMessage({kind: 'start', module} satisfies ToWorker);
         return member;
+    }
+
+    /** Loads the whole engine, if that has not been done; the workers get it when a job needs it. */
+    fetchWhole(): Promise<WebAssembly.Module> {
+        this.#whole ??= this.loadWhole().catch((error: unknown) => {
+            this.#whole = null;  // the next job tries again
+            throw error;
+        });
+        return this.#whole;
+    }
+
+    /** Repeats a job with the whole engine. */
+    async #repeat(waiting: Waiting) {
+        if (waiting.isCancelled) {
+            waiting.failed(new Stopped());
+            return;
+        }
+        this.#held.push(waiting);
+        try {
+            this.#module = await this.fetchWhole();
+            this.#urgent.unshift(...this.#held);
+        } catch (error) {
+            const why = new Error(`the rest of the engine cannot be loaded: ${error instanceof Error ? error.message : String(error)}`);
+            for (const one of this.#held) one.failed(why);
+        }
+        this.#held = [];
+        this.#next();
     }
 
     /** Queues a job. Urgent jobs come first. */
@@ -76,12 +114,15 @@ export class Pool {
     /** Cancels a view's jobs up to `key`. Running jobs have a moment to finish. */
     cancel(view: string, key: number) {
         const concerned = (waiting: Waiting) => waiting.job.view === view && waiting.job.key <= key;
-        const withdrawn = [...this.#urgent, ...this.#queue].filter(concerned);
+        const withdrawn = [...this.#held, ...this.#urgent, ...this.#queue].filter(concerned);
+        this.#held = this.#held.filter((waiting) => !concerned(waiting));
         this.#urgent = this.#urgent.filter((waiting) => !concerned(waiting));
         this.#queue = this.#queue.filter((waiting) => !concerned(waiting));
         for (const waiting of withdrawn) waiting.failed(new Stopped());
         for (const member of this.#members) {
-            if (member.running && concerned(member.running)) this.#limit(member, grace);
+            if (!member.running || !concerned(member.running)) continue;
+            member.running.isCancelled = true;
+            this.#limit(member, grace);
         }
     }
 
@@ -105,6 +146,9 @@ export class Pool {
         clearTimeout(member.timer);
         if (running && 'answer' in message) {
             running.done(message.answer);
+        } else if (running && 'leftOut' in message) {
+            member.open.clear();
+            void this.#repeat(running);
         } else if (running && 'error' in message) {
             if (message.broken) member.open.clear();
             running.failed(new Error(message.broken ? 'the scene needs more memory than there is' : message.error));
@@ -122,6 +166,11 @@ export class Pool {
     #next() {
         for (const member of this.#members) {
             if (member.running) continue;
+            if (member.module !== this.#module) {
+                member.module = this.#module;
+                member.open.clear();
+                member.worker.postMessage({kind: 'start', module: this.#module} satisfies ToWorker);
+            }
             // Prefer jobs whose scene is already open in this worker.
             const has = ({job}: Waiting) => member.open.get(job.view)?.key === job.key;
             const choose = (queue: Waiting[]) => queue.find(has) ?? queue.find((waiting) => this.#mayOpen(member, waiting));

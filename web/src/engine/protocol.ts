@@ -31,6 +31,7 @@ export interface Job {
 }
 
 export type ToWorker =
+    /** The module of all following jobs; scenes that are open are lost. */
     | {kind: 'start'; module: WebAssembly.Module}
     | {kind: 'job'; id: number; view: string; key: number; request: OpenRequest | null; prepare: PrepareRequest; task: Task};
 
@@ -61,5 +62,8 @@ export interface Answers {
     'compare-picture': Comparison;
 }
 
-/** broken: the instance ran out of memory or trapped; all its open scenes are lost. */
-export type FromWorker = {id: number; answer: Answers[keyof Answers]} | {id: number; error: string; broken: boolean};
+/**
+ * leftOut: the job needs the whole engine, and this worker has its core. broken: the instance ran out of memory or trapped. In
+ * both cases all its open scenes are lost.
+ */
+export type FromWorker = {id: number; answer: Answers[keyof Answers]} | {id: number; leftOut: true} | {id: number; error: string; broken: boolean};

@@ -15,6 +15,12 @@ let wasm: WebAssembly.Module;
 let glint: Glint | null = null;
 const scenes = new Map<string, OpenScene>();
 
+/** The next job has a new instance. */
+function forget() {
+    glint = null;
+    scenes.clear();
+}
+
 async function sceneOf(job: JobMessage): Promise<OpenScene> {
     glint ??= await instantiate(wasm);
     let open = scenes.get(job.view);
@@ -74,6 +80,7 @@ async function work(job: JobMessage): Promise<Answers[keyof Answers]> {
 addEventListener('message', async ({data}: MessageEvent<ToWorker>) => {
     if (data.kind === 'start') {
         wasm = data.module;
+        forget();
         return;
     }
     let reply: FromWorker;
@@ -88,13 +95,15 @@ addEventListener('message', async ({data}: MessageEvent<ToWorker>) => {
         }
         reply = {id: data.id, answer};
     } catch (error) {
-        // After a trap the instance's memory may be corrupt: the next job creates a new instance.
+        // After a trap the instance's memory may be corrupt.
         const broken = error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
-        if (broken) {
-            glint = null;
-            scenes.clear();
-        }
+        if (broken) forget();
         reply = {id: data.id, error: error instanceof Error ? error.message : String(error), broken};
+    }
+    if (glint?.leftOut) {
+        reply = {id: data.id, leftOut: true};
+        transfer.length = 0;
+        forget();
     }
     postMessage(reply, {transfer});
 });
