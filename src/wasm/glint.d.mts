@@ -577,7 +577,7 @@ export interface Scene {
      * The linear RGB floats of a rectangle, row by row from the top. Throws if the scene is not ready, if the picture does not
      * contain the rectangle, or if that has more than 2^26 pixels.
      */
-    render(x: number, y: number, width: number, height: number): Float32Array;
+    render(x: number, y: number, width: number, height: number): Floats;
     /** The same as bytes (red, green, blue, 255), and the number of rays. */
     renderPixels(x: number, y: number, width: number, height: number): {pixels: Bytes; rays: number};
     /**

@@ -128,7 +128,7 @@ test('a first visit loads less than 700 kB, compressed, before its first picture
         if (request.url().startsWith(address)) wanted.add(nameOf(request));
     });
     // What may come later is withheld: the first picture has to do without it.
-    await page.route(/\/(glint-(?!core)[^/]*[.]wasm|(SpaceView|lessons|challenges|help|unzip|png)-[^/]*)$/, (route) => void later.push(route.request()));
+    await page.route(/\/(glint-(?!core)[^/]*[.]wasm|(SpaceView|lessons|challenges|help|unzip|png|exr|exr_file|pako)-[^/]*)$/, (route) => void later.push(route.request()));
     await page.goto(address);
     await settled(page);
     await until(() => later.some((request) => request.url().endsWith('.wasm')), Boolean);

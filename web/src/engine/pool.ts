@@ -32,7 +32,7 @@ interface Member {
 }
 
 /** Reading a text or explaining a pixel is aborted after this time, in milliseconds. */
-const patience: Record<Task['what'], number> = {open: 10_000, explain: 10_000, convert: 10_000, compare: 120_000, 'compare-picture': 600_000, layers: 10_000, tile: Infinity};
+const patience: Record<Task['what'], number> = {open: 10_000, explain: 10_000, convert: 10_000, compare: 120_000, 'compare-picture': 600_000, layers: 10_000, tile: Infinity, floats: Infinity};
 /** A tile that is no longer needed may finish within this time; then its worker is terminated. */
 const grace = 250;
 

@@ -14,6 +14,8 @@ export type Task =
     | {what: 'open'; rect?: Rect}
     | {what: 'tile'; rect: Rect}
     | {what: 'layers'; rect: Rect; names: string[]}
+    /** The linear numbers of a rectangle. */
+    | {what: 'floats'; rect: Rect; alpha: boolean}
     | {what: 'explain'; x: number; y: number}
     | {what: 'convert'}
     /** Against the picture of another scene. */
@@ -52,10 +54,17 @@ export interface Layered {
     layers: Record<string, Float32Array<ArrayBuffer>>;
 }
 
+export interface Numbers {
+    rgb: Float32Array<ArrayBuffer>;
+    /** Null if it was not asked for. */
+    alpha: Float32Array<ArrayBuffer> | null;
+}
+
 export interface Answers {
     open: Opened;
     tile: Tile;
     layers: Layered;
+    floats: Numbers;
     explain: Explanation | null;
     convert: string;
     compare: Comparison;

@@ -63,6 +63,11 @@ async function work(job: JobMessage): Promise<Answers[keyof Answers]> {
         const {pixels, layers} = scene.renderLayers(task.names, x, y, width, height);
         return {pixels, layers};
     }
+    if (task.what === 'floats') {
+        const {x, y, width, height} = task.rect;
+        const rgb = scene.render(x, y, width, height);
+        return {rgb, alpha: task.alpha ? scene.renderLayers(['alpha'], x, y, width, height).layers.alpha : null};
+    }
     if (task.what === 'explain') return scene.explain(task.x, task.y);
     if (task.what === 'convert') return scene.toGlint();
     if (task.what === 'compare') {
@@ -91,6 +96,7 @@ addEventListener('message', async ({data}: MessageEvent<ToWorker>) => {
             if ('milliseconds' in answer) transfer.push(answer.pixels.buffer);
             if ('layers' in answer && !('pixel' in answer))
                 transfer.push(answer.pixels.buffer, ...Object.values(answer.layers).map((layer) => layer.buffer));
+            if ('rgb' in answer) transfer.push(answer.rgb.buffer);
             if ('tile' in answer && answer.tile) transfer.push(answer.tile.pixels.buffer);
         }
         reply = {id: data.id, answer};

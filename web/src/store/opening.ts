@@ -34,8 +34,6 @@ export async function openFiles(given: readonly GivenFile[]) {
     const picture = files.find(({path}) => isPictureName(path));
     if (picture && files.every(({path}) => isPictureName(path))) {
         await openPicture(picture.file);
-    } else if (files.length > 0 && files.every(({path}) => /\.exr$/i.test(path))) {
-        notice.value = 'OpenEXR pictures are compared by the command: glint compare mine.exr reference.exr --scene SCENE.';
     } else {
         await openTexts(files.filter(({path}) => !isPictureName(path)), given);
     }
