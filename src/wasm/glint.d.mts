@@ -559,7 +559,8 @@ export interface Glint {
     readonly memoryBytes: number;
     /**
      * Whether a call has needed what the instance's file leaves out, so that its result is not that of glint.wasm: never of
-     * glint.wasm. The playground starts with a smaller file, without POV-Ray's language, causes and check().
+     * glint.wasm. The playground starts with a smaller file, without the languages of POV-Ray and Tachyon, causes and
+     * check().
      */
     readonly leftOut: boolean;
     /** Reads and prepares a scene. Close it when it is no longer needed. Throws if a string has a lone surrogate. */

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // glint-core.wasm, which the page starts with, is linked from the same objects as glint.wasm, but with these
-// functions in place of the modules formats/povray, compare and check: a third of the file. They are all
-// that others call of these modules, so the linker takes nothing else of them. A call that needs one cannot
-// be answered: glint_left_out() then says so, and the page repeats it with glint.wasm.
+// functions in place of formats/povray, Tachyon's reader, compare and check: more than a third of the file.
+// They are all that others call of these, so the linker takes nothing else of them. A call that needs one
+// cannot be answered: glint_left_out() then says so, and the page repeats it with glint.wasm.
 #include <cstdint>
 
 #include "formats/povray/standard_includes.h"
@@ -29,6 +29,14 @@ void set_povray_defaults(Scene&) {}
 void read_povray(LoadState& reading, const ReadText& text) {
     reading.diagnostics.error(text.place, 0, 0, leave_out().message);
 }
+
+void set_tachyon_defaults(Scene&) {}
+
+void read_tachyon(LoadState& reading, const ReadText& text) {
+    reading.diagnostics.error(text.place, 0, 0, leave_out().message);
+}
+
+void finish_tachyon(LoadState&) {}
 
 povray::StandardInclude povray::standard_include(std::string_view) {
     leave_out();

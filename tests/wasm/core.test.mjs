@@ -45,6 +45,7 @@ test('the core says what it leaves out, and the whole does not', async () => {
     const cases = {
         "POV-Ray's language": (glint) => glint.open({texts: [ball]}),
         'the same in an included text': (glint) => glint.open({texts: [{name: 'a.glint', text: 'include "ball.pov"\n'}], includes: [ball]}),
+        "Tachyon's scenes": (glint) => glint.open({texts: [{name: 'a.dat', text: 'BEGIN_SCENE\nRESOLUTION 4 3\nEND_SCENE\n'}]}),
         causes: (glint) => {
             const scene = glint.open({texts: [read('cgfs/three_mirrors.cgfs')], settings: {size: '40x30'}});
             const other = glint.open({texts: [read('cgfs/three_mirrors.cgfs')], settings: {size: '40x30', reflections: '0'}});
