@@ -36,14 +36,14 @@ addEventListener('fetch', (event) => {
     };
 }
 
-/** Fetches the engine while the page's code is loaded, not after it. */
+/** Fetches the engine's core while the page's code is loaded, not after it. */
 function preloadEngine(): Plugin {
     return {
         name: 'preload-engine',
         apply: 'build',
         transformIndexHtml: {
             order: 'post',
-            handler: (_, {bundle}) => Object.keys(bundle ?? {}).filter((name) => name.endsWith('.wasm')).map((name) => ({
+            handler: (_, {bundle}) => Object.keys(bundle ?? {}).filter((name) => /glint-core.*\.wasm$/.test(name)).map((name) => ({
                 tag: 'link', attrs: {rel: 'preload', as: 'fetch', crossorigin: '', href: `./${name}`}, injectTo: 'head',
             })),
         },

@@ -70,16 +70,19 @@ struct GlintScene {
         options.crop = crop;
         options.layers = std::move(wanted);
         const bool has_alpha = scene->settings.alpha;
-        if (has_alpha) options.layers.push_back(glint::Layer::alpha);
+        // Perhaps it is asked for.
+        const auto alpha_at = static_cast<std::size_t>(
+            std::find(options.layers.begin(), options.layers.end(), glint::Layer::alpha) -
+            options.layers.begin());
+        const bool is_extra = has_alpha && alpha_at == options.layers.size();
+        if (is_extra) options.layers.push_back(glint::Layer::alpha);
         glint::Result<glint::Rendering> result = glint::render(*world, options);
         if (!result || report.contains("error")) write_report(result.message);
         image = result ? std::move(result->image) : glint::Image{};
         if (!result) return false;
         layers = std::move(result->layers);
-        if (has_alpha) {
-            alpha = std::move(layers.back().values);
-            layers.pop_back();
-        }
+        if (has_alpha) alpha = layers[alpha_at].values;
+        if (is_extra) layers.pop_back();
         rays = result->rays;
         return true;
     }

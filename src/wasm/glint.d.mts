@@ -558,6 +558,12 @@ export interface Glint {
     /** Bytes of memory that the instance has allocated from its host, at most 2 GiB. It never frees them. */
     readonly memoryBytes: number;
     /**
+     * Whether a call has needed what the instance's file leaves out, so that its result is not that of glint.wasm: never of
+     * glint.wasm. The playground starts with a smaller file, without the languages of POV-Ray and Tachyon, causes and
+     * check().
+     */
+    readonly leftOut: boolean;
+    /**
      * Reads and prepares a scene. Close it when it is no longer needed. Throws if a string has a lone surrogate. `progress` is
      * called now and then with the part that is done, from 0 to 1, and must not throw.
      */
@@ -575,7 +581,7 @@ export interface Scene {
      * The linear RGB floats of a rectangle, row by row from the top. Throws if the scene is not ready, if the picture does not
      * contain the rectangle, or if that has more than 2^26 pixels.
      */
-    render(x: number, y: number, width: number, height: number): Float32Array;
+    render(x: number, y: number, width: number, height: number): Floats;
     /** The same as bytes (red, green, blue, 255), and the number of rays. */
     renderPixels(x: number, y: number, width: number, height: number): {pixels: Bytes; rays: number};
     /**

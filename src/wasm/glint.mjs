@@ -95,6 +95,11 @@ class Glint {
         return this.#exports.memory.buffer.byteLength;
     }
 
+    /** Whether a call has needed what the instance's file leaves out: never of glint.wasm, which leaves out nothing. */
+    get leftOut() {
+        return this.#exports.glint_left_out?.() === 1;
+    }
+
     /** Reads and prepares a scene. Close it when it is no longer needed. */
     open(request, {progress = null} = {}) {
         this.#host.progress = progress;

@@ -14,6 +14,7 @@ import {InstanceError, load} from '../../src/wasm/glint.mjs';
 
 const glint = await load(pathToFileURL(process.env.GLINT_WASM));
 const {encodePng} = await import(pathToFileURL(join(process.env.GLINT_PACKAGE, 'png.mjs')).href);
+const {encodeExr} = await import(pathToFileURL(join(process.env.GLINT_PACKAGE, 'exr.mjs')).href);
 
 const files = readdirSync(process.env.GLINT_SCENES, {recursive: true, withFileTypes: true})
                   .filter((entry) => entry.isFile())
@@ -104,9 +105,23 @@ test('a PNG of noise has the bytes of the native file', () => {
     assert.ok(Buffer.from(here).equals(native(body, 'png')));
 });
 
+for (const [paths, size, alpha] of [[['cgfs/three_mirrors.cgfs'], '64x32', false], [['epfl/castle.json'], '61x47', true], [['epfl/castle.json'], '1x1', false],
+                                    [['glint/temple.glint'], '128x96', true], [['glint/still_life.glint'], '333x17', false]]) {
+    test(`an OpenEXR has the bytes of the native file: ${paths} ${size}${alpha ? ' with alpha' : ''}`, () => {
+        const settings = {size, aa: '2', ...(alpha ? {alpha: 'true'} : {})};
+        const {scene, report: {width, height}} = open(paths, settings);
+        const rgb = scene.render(0, 0, width, height);
+        const here = encodeExr(rgb, width, height, alpha ? {alpha: scene.renderLayers(['alpha'], 0, 0, width, height).layers.alpha} : {});
+        scene.close();
+        assert.ok(Buffer.from(here).equals(native(request(paths, settings), 'exr')));
+    });
+}
+
 test('a picture that is none is not encoded', () => {
     for (const wrong of [[new Uint8Array(4), 1, 2], [new Uint8Array(4), 0, 1], [new Uint8Array(4), NaN, 1], [new Uint8Array(8), 0.5, 4], [[], 65537, 1]])
         assert.throws(() => encodePng(...wrong), /^TypeError: (pixels|width|height): expected/);
+    for (const [rgb, width, height, options] of [[new Float32Array(11), 2, 2], [new Float32Array(12), 2, 0], [new Float32Array(12), 2, 2, {alpha: new Float32Array(3)}]])
+        assert.throws(() => encodeExr(rgb, width, height, options), TypeError);
 });
 
 test('the loader says what it cannot read', async () => {

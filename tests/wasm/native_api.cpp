@@ -2,7 +2,7 @@
 // The browser's API, compiled natively for comparison. A request comes from standard
 // input:
 //   native_api render X Y WIDTH HEIGHT    writes the rectangle's floats to standard output
-//   native_api png                        the file of the picture, by encode()
+//   native_api png|exr                    the file of the picture, by encode()
 //   native_api explain X Y                the pixel's explanation
 //   native_api info, convert, check       the results of glint_info, glint_convert and glint_check
 #include <cstdio>
@@ -28,7 +28,7 @@ bool render(GlintScene* scene, int x, int y, int width, int height) {
            write(rgb, 3 * sizeof(float) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
 }
 
-bool write_png(const std::string& request) {
+bool write_file(const std::string& request, glint::FileFormat format) {
     const nlohmann::json parsed = nlohmann::json::parse(request);
     const glint::wasm::RequestTexts texts = glint::wasm::read_texts(parsed);
     std::vector<std::string> missing;
@@ -41,9 +41,10 @@ bool write_png(const std::string& request) {
     if (!made) return false;
     glint::EncodeOptions file;
     file.set_rule(made->rule);
-    const auto png = made->has_alpha ? glint::encode(made->image, made->layers[0].values, file)
-                                     : glint::encode(made->image, file);
-    return png && write(png->data(), png->size());
+    file.format = format;
+    const auto bytes = made->has_alpha ? glint::encode(made->image, made->layers[0].values, file)
+                                       : glint::encode(made->image, file);
+    return bytes && write(bytes->data(), bytes->size());
 }
 
 }  // namespace
@@ -55,7 +56,8 @@ int main(int argc, char** argv) {
     GlintScene* const scene = glint_open(request.data(), static_cast<std::uint32_t>(request.size()));
     bool done = false;
     if (what == "render") done = render(scene, number(2), number(3), number(4), number(5));
-    if (what == "png") done = write_png(request);
+    if (what == "png") done = write_file(request, glint::FileFormat::png);
+    if (what == "exr") done = write_file(request, glint::FileFormat::exr);
     if (what == "explain") done = write(glint_explain(scene, number(2), number(3)));
     if (what == "info") done = write(glint_info(scene));
     if (what == "check") done = write(glint_check(scene));

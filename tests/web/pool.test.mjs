@@ -11,7 +11,7 @@ const {Pool} = await pageModule('engine/pool.ts');
 /** A pool of four workers that answer when they are told to. */
 function poolOfFour() {
     const workers = [];
-    const pool = new Pool(null, 4, () => {
+    const pool = new Pool(null, () => Promise.reject(new Error('no network')), 4, () => {
         const worker = {
             jobs: [], opened: new Set(),
             addEventListener: (kind, listener) => { if (kind === 'message') worker.answer = listener; },
@@ -90,4 +90,94 @@ test('a large scene leaves no room for another one but in one worker', async () 
     finish();
     await Promise.all([...first, ...second]);
     assert.deepEqual([openedBy(1), openedBy(2)], [1, 1]);
+});
+
+/** A pool of two workers with the core: each answer is made from the module that the worker has and the job. */
+function poolWithCore(loadWhole) {
+    const workers = [];
+    const pool = new Pool('core', loadWhole, 2, () => {
+        const worker = {
+            jobs: [], opened: [],
+            addEventListener: (kind, listener) => { if (kind === 'message') worker.answer = listener; },
+            postMessage: (message) => {
+                if (message.kind === 'start') worker.module = message.module;
+                else worker.jobs.push({...message, module: worker.module});
+                if (message.request) worker.opened.push(`${message.key} ${worker.module}`);
+            },
+            terminate: () => {},
+        };
+        workers.push(worker);
+        return worker;
+    });
+    /** Lets all workers finish their present job; those of .pov need the whole engine. */
+    const finish = () => {
+        for (const worker of workers) {
+            for (const {id, key, module} of worker.jobs.splice(0))
+                worker.answer({data: key >= 100 && module === 'core' ? {id, leftOut: true} : {id, answer: `${key} ${module}`}});
+        }
+    };
+    const run = (key, view = 'main') => pool.run({view, key, request: {texts: [{name: 'a', text: ''}]}, prepare: {}, task: {what: 'open'}});
+    return {pool, run, finish, workers};
+}
+const moment = () => new Promise((next) => setTimeout(next, 0));
+
+test('a job that the core cannot do is repeated with the whole engine, which all workers have from then on', async () => {
+    let loaded = 0;
+    const {run, finish, workers} = poolWithCore(async () => {
+        ++loaded;
+        return 'whole';
+    });
+    const easy = [run(1), run(1)];
+    finish();
+    assert.deepEqual(await Promise.all(easy), ['1 core', '1 core']);
+    assert.equal(loaded, 0);
+    const hard = [run(100), run(100)];
+    finish();
+    await moment();
+    finish();
+    assert.deepEqual(await Promise.all(hard), ['100 whole', '100 whole']);
+    const after = [run(1), run(1)];
+    finish();
+    assert.deepEqual(await Promise.all(after), ['1 whole', '1 whole']);
+    assert.equal(loaded, 1);
+    for (const {opened} of workers) assert.deepEqual(opened, ['1 core', '100 core', '100 whole', '1 whole']);
+});
+
+test('without a network the core goes on, and the next job that needs the whole engine tries again', async () => {
+    let isOnline = false;
+    const {run, finish} = poolWithCore(async () => {
+        if (!isOnline) throw new Error('no network');
+        return 'whole';
+    });
+    const hard = run(100);
+    finish();
+    await assert.rejects(hard, /rest of the engine.*no network/);
+    const easy = run(1);
+    finish();
+    assert.equal(await easy, '1 core');
+    isOnline = true;
+    const again = run(100);
+    finish();
+    await moment();
+    finish();
+    assert.equal(await again, '100 whole');
+});
+
+test('jobs that wait for the whole engine can be cancelled', async () => {
+    let arrive = null;
+    const {pool, run, finish} = poolWithCore(() => new Promise((done) => { arrive = done; }));
+    const waiting = run(100);
+    finish();
+    pool.cancel('main', 100);
+    await assert.rejects(waiting, {message: ''});
+    const running = run(101);
+    pool.cancel('main', 101);
+    finish();
+    await assert.rejects(running, {message: ''});
+    const other = run(102, 'other');
+    finish();
+    arrive('whole');
+    await moment();
+    finish();
+    assert.equal(await other, '102 whole');
 });

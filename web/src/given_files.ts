@@ -48,10 +48,7 @@ export async function droppedFiles(transfer: DataTransfer): Promise<GivenFile[]>
 export const chosenFiles = (list: Iterable<File>): GivenFile[] =>
     [...list].map((file) => ({path: file.webkitRelativePath || file.name, file})).filter(({path, file}) => path === file.name || isWanted(path)).slice(0, mostFiles);
 
-const unpacker = () => import('./unzip');
-
-/** Loads what opens archives: the page makes no connections later. */
-export const prepareArchives = () => unpacker().then(() => {}, () => {});
+export const unpacker = () => import('./unzip');
 
 async function unpacked({file}: GivenFile): Promise<GivenFile[]> {
     const {unzipSync} = await unpacker();

@@ -5,6 +5,7 @@ import {startPool} from './engine/start';
 import {embedded} from './store/embedded';
 import {type Entry, arrive, placeOf} from './store/address';
 import {addressChanged, followLessons, goToPlace, resume} from './store/learning';
+import {fetchLater} from './store/later';
 import {keepPage} from './store/memory';
 import {followMissing} from './store/opening';
 import {followOwnPicture} from './store/own';
@@ -16,8 +17,8 @@ import {connectViews} from './ui/pictures';
 
 render(embedded ? <Embed /> : <App />, document.getElementById('app')!);
 try {
-    services.pool = await startPool();
-    connectViews(services.pool);
+    const pool = services.pool = await startPool();
+    connectViews(pool);
     const isOpen = await openFirst(), place = placeOf(location.hash);
     if (place) await arrive(() => (isOpen ? resume(place) : goToPlace(place)));
     if (!embedded) {
@@ -25,6 +26,7 @@ try {
         followLessons();
         followOwnPicture();
         followMissing();
+        fetchLater(() => pool.fetchWhole());
     }
 } catch (error) {
     failure.value = `The engine could not be started: ${error instanceof Error ? error.message : String(error)}`;

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads pictures that the user drops: what the browser can read (PNG, JPEG, ...), and PPM, which students' programs write.
+// Reads pictures that the user drops: what the browser can read (PNG, JPEG, ...), PPM, which students' programs write, and OpenEXR.
+import {fetchLater} from './store/later';
 
-const pictures = /\.(png|jpe?g|ppm|pnm|bmp|gif|webp)$/i;
+const pictures = /\.(png|jpe?g|ppm|pnm|bmp|gif|webp|exr)$/i;
+
+const exrReader = () => import('./exr_file');
+fetchLater(exrReader);
 
 export const isPictureName = (name: string) => pictures.test(name);
 
@@ -53,6 +57,10 @@ export function readPpm(bytes: Uint8Array): ImageData {
 /** The bytes of a picture. Throws an Error that says what is wrong. */
 export async function readPicture(file: File): Promise<ImageData> {
     if (/\.p[pn]m$/i.test(file.name)) return readPpm(new Uint8Array(await file.arrayBuffer()));
+    if (/\.exr$/i.test(file.name)) {
+        const {bytesOf, readExr} = await exrReader();
+        return bytesOf(await readExr(new Uint8Array(await file.arrayBuffer()), mostPixels));
+    }
     // The bytes as they are in the file: no color profile is applied.
     const bitmap = await createImageBitmap(file, {colorSpaceConversion: 'none', premultiplyAlpha: 'none'}).catch(() => {
         throw new Error('the browser cannot read it as a picture');

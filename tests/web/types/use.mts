@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Uses each function of glint-wasm's types; compiled, never run.
 import {type CameraInfo, type Cause, type Comparison, type Explanation, type Finding, type Scene, type SceneInfo, compile, instantiate, load} from 'glint-wasm';
+import {encodeExr} from 'glint-wasm/exr';
 import {encodePng} from 'glint-wasm/png';
 
 const glint = await load();
@@ -12,7 +13,8 @@ const {pixels, rays} = scene.renderPixels(0, 0, width, height);
 const floats: number = scene.render(0, 0, 1, 1)[0] ?? 0;
 const file = encodePng(pixels, width, height);
 encodePng(pixels, width, height, {alpha: true, srgb: false});
-const bytes: number = file.length + pixels.length + rays;
+const exr = encodeExr(scene.render(0, 0, width, height), width, height, {alpha: scene.renderLayers(['alpha'], 0, 0, width, height).layers.alpha});
+const bytes: number = exr.length + file.length + pixels.length + rays;
 const info: SceneInfo | null = scene.info;
 const camera: CameraInfo | undefined = info?.camera;
 const why: Explanation | null = scene.explain(0, 0);
@@ -28,4 +30,6 @@ other.open({texts: [], settings: {size: 5}});
 encodePng(pixels, width);
 // @ts-expect-error
 encodePng(pixels, width, height, {srgb: 1});
+// @ts-expect-error alpha has a number for each pixel
+encodeExr([0, 0, 0], 1, 1, {alpha: true});
 export {ready, floats, bytes, camera, blocker, causes, texts};

@@ -19,20 +19,21 @@ interface Waiting {
     opening: (done: number) => void;
     done: (answer: Answers[keyof Answers]) => void;
     failed: (why: Error) => void;
+    /** It was running when it was cancelled. */
+    isCancelled?: boolean;
 }
 
 interface Member {
     worker: Worker;
+    module: WebAssembly.Module;
     running: Waiting | null;
     timer: number;
-    /** Its job is no longer needed. */
-    isCancelled: boolean;
     /** By view: its scene in this worker. */
     open: Map<string, OpenScene>;
 }
 
 /** A job is aborted after this time without an answer or news of its progress, in milliseconds. */
-const patience: Record<Task['what'], number> = {open: 10_000, explain: 10_000, convert: 10_000, compare: 120_000, 'compare-picture': 600_000, layers: 10_000, tile: Infinity};
+const patience: Record<Task['what'], number> = {open: 10_000, explain: 10_000, convert: 10_000, compare: 120_000, 'compare-picture': 600_000, layers: 10_000, tile: Infinity, floats: Infinity};
 /** A tile that is no longer needed may finish within this time; then its worker is terminated. */
 const grace = 250;
 
@@ -52,20 +53,55 @@ export class Pool {
     #members: Member[];
     #urgent: Waiting[] = [];
     #queue: Waiting[] = [];
+    /** Those that the core cannot do, until there is the whole engine. */
+    #held: Waiting[] = [];
+    #module: WebAssembly.Module;
+    #whole: Promise<WebAssembly.Module> | null = null;
     #nextId = 0;
 
-    constructor(private readonly module: WebAssembly.Module, size: number, private readonly create: () => Worker = newWorker) {
+    /** The workers have the engine's core until a job needs the whole. */
+    constructor(core: WebAssembly.Module, private readonly loadWhole: () => Promise<WebAssembly.Module>, size: number,
+                private readonly create: () => Worker = newWorker) {
+        this.#module = core;
         this.size = size;
         this.#members = Array.from({length: size}, () => this.#start());
     }
 
     #start(): Member {
         const worker = this.create();
-        const member: Member = {worker, running: null, timer: 0, isCancelled: false, open: new Map()};
+        const module = this.#module;
+        const member: Member = {worker, module, running: null, timer: 0, open: new Map()};
         worker.addEventListener('message', ({data}: MessageEvent<FromWorker>) => this.#finish(member, data));
         worker.addEventListener('error', () => this.#replace(member, 'the worker stopped'));
-        worker.postMessage({kind: 'start', module: this.module} satisfies ToWorker);
+        worker.postMessage({kind: 'start', module} satisfies ToWorker);
         return member;
+    }
+
+    /** Loads the whole engine, if that has not been done; the workers get it when a job needs it. */
+    fetchWhole(): Promise<WebAssembly.Module> {
+        this.#whole ??= this.loadWhole().catch((error: unknown) => {
+            this.#whole = null;  // the next job tries again
+            throw error;
+        });
+        return this.#whole;
+    }
+
+    /** Repeats a job with the whole engine. */
+    async #repeat(waiting: Waiting) {
+        if (waiting.isCancelled) {
+            waiting.failed(new Stopped());
+            return;
+        }
+        this.#held.push(waiting);
+        try {
+            this.#module = await this.fetchWhole();
+            this.#urgent.unshift(...this.#held);
+        } catch (error) {
+            const why = new Error(`the rest of the engine cannot be loaded: ${error instanceof Error ? error.message : String(error)}`);
+            for (const one of this.#held) one.failed(why);
+        }
+        this.#held = [];
+        this.#next();
     }
 
     /** Queues a job. Urgent jobs come first. opening: called with the part of the job's scene that is open, from 0 to 1. */
@@ -79,13 +115,14 @@ export class Pool {
     /** Cancels a view's jobs up to `key`. Running jobs have a moment to finish. */
     cancel(view: string, key: number) {
         const concerned = (waiting: Waiting) => waiting.job.view === view && waiting.job.key <= key;
-        const withdrawn = [...this.#urgent, ...this.#queue].filter(concerned);
+        const withdrawn = [...this.#held, ...this.#urgent, ...this.#queue].filter(concerned);
+        this.#held = this.#held.filter((waiting) => !concerned(waiting));
         this.#urgent = this.#urgent.filter((waiting) => !concerned(waiting));
         this.#queue = this.#queue.filter((waiting) => !concerned(waiting));
         for (const waiting of withdrawn) waiting.failed(new Stopped());
         for (const member of this.#members) {
             if (!member.running || !concerned(member.running)) continue;
-            member.isCancelled = true;
+            member.running.isCancelled = true;
             this.#limit(member, grace);
         }
     }
@@ -107,7 +144,7 @@ export class Pool {
     #finish(member: Member, message: FromWorker) {
         const {running} = member;
         if ('done' in message) {
-            if (!running || member.isCancelled) return;
+            if (!running || running.isCancelled) return;
             this.#limit(member, patience[running.job.task.what]);
             running.opening(message.done);
             return;
@@ -116,6 +153,9 @@ export class Pool {
         clearTimeout(member.timer);
         if (running && 'answer' in message) {
             running.done(message.answer);
+        } else if (running && 'leftOut' in message) {
+            member.open.clear();
+            void this.#repeat(running);
         } else if (running && 'error' in message) {
             if (message.broken) member.open.clear();
             running.failed(new Error(message.broken ? 'the scene needs more memory than there is' : message.error));
@@ -133,6 +173,11 @@ export class Pool {
     #next() {
         for (const member of this.#members) {
             if (member.running) continue;
+            if (member.module !== this.#module) {
+                member.module = this.#module;
+                member.open.clear();
+                member.worker.postMessage({kind: 'start', module: this.#module} satisfies ToWorker);
+            }
             // Prefer jobs whose scene is already open in this worker.
             const has = ({job}: Waiting) => member.open.get(job.view)?.key === job.key;
             const choose = (queue: Waiting[]) => queue.find(has) ?? queue.find((waiting) => this.#mayOpen(member, waiting));
@@ -146,7 +191,6 @@ export class Pool {
                 request: has(waiting) ? null : request,
             };
             member.running = waiting;
-            member.isCancelled = false;
             member.open.set(view, {key, bytes: waiting.bytes});
             this.#limit(member, patience[task.what]);
             member.worker.postMessage(message);

@@ -14,6 +14,8 @@ export type Task =
     | {what: 'open'; rect?: Rect}
     | {what: 'tile'; rect: Rect}
     | {what: 'layers'; rect: Rect; names: string[]}
+    /** The linear numbers of a rectangle. */
+    | {what: 'floats'; rect: Rect; alpha: boolean}
     | {what: 'explain'; x: number; y: number}
     | {what: 'convert'}
     /** Against the picture of another scene. */
@@ -31,6 +33,7 @@ export interface Job {
 }
 
 export type ToWorker =
+    /** The module of all following jobs; scenes that are open are lost. */
     | {kind: 'start'; module: WebAssembly.Module}
     | {kind: 'job'; id: number; view: string; key: number; request: OpenRequest | null; prepare: PrepareRequest; task: Task};
 
@@ -51,15 +54,26 @@ export interface Layered {
     layers: Record<string, Float32Array<ArrayBuffer>>;
 }
 
+export interface Numbers {
+    rgb: Float32Array<ArrayBuffer>;
+    /** Null if it was not asked for. */
+    alpha: Float32Array<ArrayBuffer> | null;
+}
+
 export interface Answers {
     open: Opened;
     tile: Tile;
     layers: Layered;
+    floats: Numbers;
     explain: Explanation | null;
     convert: string;
     compare: Comparison;
     'compare-picture': Comparison;
 }
 
-/** done: the part of a scene that a job has opened, from 0 to 1; the answer follows. broken: the instance ran out of memory or trapped; all its open scenes are lost. */
-export type FromWorker = {id: number; done: number} | {id: number; answer: Answers[keyof Answers]} | {id: number; error: string; broken: boolean};
+/**
+ * done: the part of a scene that a job has opened, from 0 to 1; the answer follows. leftOut: the job needs the whole engine, and
+ * this worker has its core. broken: the instance ran out of memory or trapped. In both cases all its open scenes are lost.
+ */
+export type FromWorker =
+    {id: number; done: number} | {id: number; answer: Answers[keyof Answers]} | {id: number; leftOut: true} | {id: number; error: string; broken: boolean};

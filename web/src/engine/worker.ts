@@ -25,6 +25,12 @@ function reporter(id: number) {
     };
 }
 
+/** The next job has a new instance. */
+function forget() {
+    glint = null;
+    scenes.clear();
+}
+
 async function sceneOf(job: JobMessage): Promise<OpenScene> {
     glint ??= await instantiate(wasm);
     let open = scenes.get(job.view);
@@ -67,6 +73,11 @@ async function work(job: JobMessage): Promise<Answers[keyof Answers]> {
         const {pixels, layers} = scene.renderLayers(task.names, x, y, width, height);
         return {pixels, layers};
     }
+    if (task.what === 'floats') {
+        const {x, y, width, height} = task.rect;
+        const rgb = scene.render(x, y, width, height);
+        return {rgb, alpha: task.alpha ? scene.renderLayers(['alpha'], x, y, width, height).layers.alpha : null};
+    }
     if (task.what === 'explain') return scene.explain(task.x, task.y);
     if (task.what === 'convert') return scene.toGlint();
     if (task.what === 'compare') {
@@ -84,6 +95,7 @@ async function work(job: JobMessage): Promise<Answers[keyof Answers]> {
 addEventListener('message', async ({data}: MessageEvent<ToWorker>) => {
     if (data.kind === 'start') {
         wasm = data.module;
+        forget();
         return;
     }
     let reply: FromWorker;
@@ -94,17 +106,20 @@ addEventListener('message', async ({data}: MessageEvent<ToWorker>) => {
             if ('milliseconds' in answer) transfer.push(answer.pixels.buffer);
             if ('layers' in answer && !('pixel' in answer))
                 transfer.push(answer.pixels.buffer, ...Object.values(answer.layers).map((layer) => layer.buffer));
+            if ('rgb' in answer) transfer.push(answer.rgb.buffer);
             if ('tile' in answer && answer.tile) transfer.push(answer.tile.pixels.buffer);
         }
         reply = {id: data.id, answer};
     } catch (error) {
-        // After a trap the instance's memory may be corrupt: the next job creates a new instance.
+        // After a trap the instance's memory may be corrupt.
         const broken = error instanceof WebAssembly.RuntimeError || error instanceof RangeError;
-        if (broken) {
-            glint = null;
-            scenes.clear();
-        }
+        if (broken) forget();
         reply = {id: data.id, error: error instanceof Error ? error.message : String(error), broken};
+    }
+    if (glint?.leftOut) {
+        reply = {id: data.id, leftOut: true};
+        transfer.length = 0;
+        forget();
     }
     postMessage(reply, {transfer});
 });

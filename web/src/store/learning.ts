@@ -9,6 +9,7 @@ import {solutionOf} from '../learn/solution';
 import type {Challenge, Lesson} from '../learn/types';
 import {type Entry, type Place, arrive, galleryName, keepForBack, placeOf, setAddress} from './address';
 import {forgetHints} from './hints';
+import {fetchLater} from './later';
 import {openBookScene, openLink, openScene, presentRequest, resumeChallenge} from './scene';
 import {
     documentId, fileName, givenChallenge, includes, info, isFirstVisit, notice, overrides, pinned, services, shownId, size, state, tab, text,
@@ -258,7 +259,7 @@ async function checkChallenge() {
 
 /** Checks the open step or challenge whenever a picture is complete or a pixel is pinned. */
 export function followLessons() {
-    requestIdleCallback(() => void Promise.all([loadLessons(), import('../lessons/help')]));  // the page makes no connections later
+    fetchLater(() => Promise.all([loadLessons(), import('../lessons/help')]));
     effect(() => {
         const isReady = state.value === 'done' && shownId.value === documentId.value;
         void [pinned.value, info.value, step.value, overrides.value];

@@ -3,12 +3,13 @@
 import {computed, effect, signal} from '@preact/signals';
 import type {SceneText} from 'glint-wasm';
 
-import {type GivenFile, prepareArchives, withoutArchives} from '../given_files';
+import {type GivenFile, unpacker, withoutArchives} from '../given_files';
 import {isMeshName, meshExtensions, readFile} from '../mesh_file';
 import {isPictureName} from '../picture_file';
 import {extensions, formatOf} from '../text/formats';
 import {namesIncludedBy, rootsOf, textsFor} from '../text/includes';
 import {keepForBack, setAddress} from './address';
+import {fetchLater} from './later';
 import {openPicture} from './own';
 import {openScene, sceneOfMesh, shortName} from './scene';
 import {currentDocumentState, documentId, fileName, includes, missing, notice, services, text} from './state';
@@ -33,8 +34,6 @@ export async function openFiles(given: readonly GivenFile[]) {
     const picture = files.find(({path}) => isPictureName(path));
     if (picture && files.every(({path}) => isPictureName(path))) {
         await openPicture(picture.file);
-    } else if (files.length > 0 && files.every(({path}) => /\.exr$/i.test(path))) {
-        notice.value = 'OpenEXR pictures are compared by the command: glint compare mine.exr reference.exr --scene SCENE.';
     } else {
         await openTexts(files.filter(({path}) => !isPictureName(path)), given);
     }
@@ -93,7 +92,7 @@ function supply(found: readonly SceneText[]): boolean {
 
 /** Texts whose names a scene computes are found in its folder, too. */
 export function followMissing() {
-    requestIdleCallback(() => void prepareArchives());
+    fetchLater(unpacker);
     effect(() => {
         const names = missing.value.filter((name) => !includes.peek().some((one) => one.name === name));
         if (folderScenes.peek().length === 0 || names.length === 0) return;

@@ -11,7 +11,6 @@ import {type Tab, services, pinned, tab} from '../store/state';
 import {stepBy} from '../store/stepping';
 import {layout} from '../store/layout';
 import {goToPart, keepFocus} from './keep_focus';
-import {canvases} from './pictures';
 import {Compare} from './Compare';
 import {Controls} from './Controls';
 import {Header} from './Header';
@@ -58,7 +57,7 @@ function useKeys() {
                     services.editor?.undo();
                 }
             } else if (event.key === 's' && !command && !event.altKey) {
-                savePicture(canvases.first);
+                void savePicture('png');
             } else if (event.key === 'l' && !command && !event.altKey) {
                 project(!isProjected.value);
             } else if ((event.key === 'n' || event.key === 'p') && !command && !event.altKey && pinned.value && isShown('inspect')) {

@@ -12,7 +12,6 @@ import {bookScene, openGalleryScene, openScene} from '../store/scene';
 import {fileName, history, info, services, notice, sceneName, text} from '../store/state';
 import {FileButton} from './fields';
 import {Help} from './Help';
-import {canvases} from './pictures';
 import {ShareButtons, ShareDialog, copy} from './Share';
 
 const families: [string, string][] = [
@@ -141,7 +140,8 @@ function SaveButtons() {
         <div class="group" role="group" aria-label="Save">
             <ShareButtons />
             <button class="button" title="Copy the line of the glint command that renders this picture" onClick={() => void copyCommand()}>Copy as command</button>
-            <button class="button" title="Save the picture (s)" onClick={() => savePicture(canvases.first)}>Save PNG</button>
+            <button class="button" title="Save the picture (s)" onClick={() => void savePicture('png')}>Save PNG</button>
+            <button class="button" title="Save the picture's linear numbers as OpenEXR" onClick={() => void savePicture('exr')}>EXR</button>
             <button class="button" onClick={() => saveScene(text.value)}>Save scene</button>
         </div>
     );

@@ -45,7 +45,7 @@ export function Own({view}: {view: ComponentChildren}) {
         return (
             <section>
                 <h2>Your own picture</h2>
-                <p class="note">Has your ray tracer drawn this scene? Drop its picture onto the page (PNG, JPEG, PPM): it is compared with glint’s pixel by pixel, and glint looks for the likeliest mistake.</p>
+                <p class="note">Has your ray tracer drawn this scene? Drop its picture onto the page (PNG, JPEG, PPM, OpenEXR): it is compared with glint’s pixel by pixel, and glint looks for the likeliest mistake.</p>
                 <div><FileButton label="Open a picture" /></div>
             </section>
         );

@@ -4,6 +4,7 @@ import {type Signal, signal} from '@preact/signals';
 import type {ComponentType} from 'preact';
 import {useEffect} from 'preact/hooks';
 
+import {fetchLater} from '../store/later';
 import {isLarge, isOpen, turn} from '../store/space';
 import {info, isPictureOfScene} from '../store/state';
 import {startTurn} from '../space/frame';
@@ -15,7 +16,7 @@ async function load() {
     loaded.value ??= (await import('../space/SpaceView')).SpaceView;
 }
 
-requestIdleCallback(() => void load().catch(() => {}));  // the page makes no connections later
+fetchLater(load);
 
 function Content() {
     useEffect(() => {

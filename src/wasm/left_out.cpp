@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+// glint-core.wasm, which the page starts with, is linked from the same objects as glint.wasm, but with these
+// functions in place of formats/povray, Tachyon's reader, compare and check: more than a third of the file.
+// They are all that others call of these, so the linker takes nothing else of them. A call that needs one
+// cannot be answered: glint_left_out() then says so, and the page repeats it with glint.wasm.
+#include <cstdint>
+
+#include "formats/povray/standard_includes.h"
+#include "formats/registry.h"
+#include "glint/check.h"
+#include "glint/compare.h"
+#include "wasm/api.h"
+
+namespace {
+
+bool is_left_out = false;
+
+glint::Status leave_out() {
+    is_left_out = true;
+    return {glint::ErrorCode::invalid_argument, "it needs glint.wasm: this file leaves it out", {}};
+}
+
+}  // namespace
+
+namespace glint {
+
+void set_povray_defaults(Scene&) {}
+
+void read_povray(LoadState& reading, const ReadText& text) {
+    reading.diagnostics.error(text.place, 0, 0, leave_out().message);
+}
+
+void set_tachyon_defaults(Scene&) {}
+
+void read_tachyon(LoadState& reading, const ReadText& text) {
+    reading.diagnostics.error(text.place, 0, 0, leave_out().message);
+}
+
+void finish_tachyon(LoadState&) {}
+
+povray::StandardInclude povray::standard_include(std::string_view) {
+    leave_out();
+    return {};
+}
+
+Result<CauseReport> find_causes(const Image&, const Image&, const Scene*, const CauseOptions&) {
+    return leave_out();
+}
+
+Result<std::vector<Finding>> check(const Scene&, const CheckOptions&) { return leave_out(); }
+
+}  // namespace glint
+
+std::int32_t glint_left_out() { return is_left_out ? 1 : 0; }

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+// The linear numbers of the first picture, for files that have more than bytes.
+import {tiles} from '../engine/levels';
+import type {Numbers} from '../engine/protocol';
+import {services} from './state';
+
+const side = 256;
+
+/** Renders the picture again as it is shown. Throws Stopped if its scene is changed meanwhile. */
+export async function numbersOf(width: number, height: number, hasAlpha: boolean): Promise<Numbers> {
+    const {content, key, prepare} = services.first!.current!;
+    const whole: Numbers = {rgb: new Float32Array(3 * width * height), alpha: hasAlpha ? new Float32Array(width * height) : null};
+    const place = (from: Float32Array, to: Float32Array, channels: number, {x, y, width: columns, height: rows}: {x: number; y: number; width: number; height: number}) => {
+        for (let row = 0; row < rows; ++row) to.set(from.subarray(channels * row * columns, channels * (row + 1) * columns), channels * ((y + row) * width + x));
+    };
+    await Promise.all(tiles(width, height, side).map(async (rect) => {
+        const {rgb, alpha} = await services.pool!.run({
+            view: 'first', key, request: content.request, prepare, task: {what: 'floats', rect, alpha: hasAlpha},
+        });
+        place(rgb, whole.rgb, 3, rect);
+        if (alpha && whole.alpha) place(alpha, whole.alpha, 1, rect);
+    }));
+    return whole;
+}
