@@ -99,6 +99,13 @@ Distance distance(const BytePicture& a, const BytePicture& b, const Area& area) 
     return {mean(total.all, total.pixels), mean(total.calm, total.calm_pixels)};
 }
 
+std::size_t beyond_rounding(const BytePicture& a, const BytePicture& b) {
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < a.rgb.size(); ++i)
+        sum += static_cast<std::size_t>(std::max(std::abs(int{a.rgb[i]} - int{b.rgb[i]}) - k_rounding, 0));
+    return sum;
+}
+
 bool equal_rows(const BytePicture& a, const BytePicture& b, const Rows& rows) {
     const std::ptrdiff_t row = std::ptrdiff_t{3} * b.width;
     return std::all_of(rows.begin(), rows.end(), [&](std::int32_t y) {

@@ -76,6 +76,9 @@ struct Distance {
 inline constexpr int k_noise = 2, k_rounding = 1;  ///< rounding changes a byte by k_rounding
 Distance distance(const BytePicture& a, const BytePicture& b, const Area& area);
 
+/// How much the channels differ by more than rounding, in all.
+std::size_t beyond_rounding(const BytePicture& a, const BytePicture& b);
+
 /// Whether these rows are equal.
 bool equal_rows(const BytePicture& a, const BytePicture& b, const Rows& rows);
 

@@ -28,6 +28,8 @@ struct CauseCandidate {
     bool is_confirmed = false;  ///< judged by all pixels
     bool is_exact = false;      ///< the difference that it leaves has no structure
     bool is_vague = false;      ///< FittedCause::is_vague, of `values`
+    /// Whether its numbers are only near the right ones: not those that are fitted to bytes.
+    bool is_near() const { return parameters > 0 && !(fitted && fitted->fits_bytes); }
     /// Of a scene: its place in scene_causes(); the largest number if it is none of these.
     std::size_t row = SIZE_MAX;
     MakePicture make = {};  ///< the picture of a scene with it; empty if it is of pictures
@@ -95,7 +97,10 @@ struct Search {
     /// The same, of a candidate whose `left` is known.
     void add(const BytePicture& made, CauseCandidate candidate);
     /// Sets what a candidate leaves of the whole picture, and whether that has structure.
-    void confirm(const BytePicture& made, CauseCandidate& candidate) const;
+    /// `is_near`: numbers of it, or of what it is paired with, are near the right ones, not the same.
+    void confirm(const BytePicture& made, CauseCandidate& candidate, bool is_near) const;
+    /// The mean that rounding may leave of what is shaded, in 255ths.
+    double most_by_rounding(bool is_near) const;
 };
 
 /// The search for causes of the same picture on a grid of pixels. `target` has all pixels; the others are the

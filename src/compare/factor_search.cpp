@@ -54,11 +54,16 @@ TriedFactor refine_factor(TriedFactor known, double low, double high, double eno
 
 double factor_of_most(const std::vector<WantedValue>& values, double near) {
     constexpr double k_half = 0.5 / 255, k_within = 0.01;
+    // Of little light, rounding leaves more than that open.
+    double largest = 0;
+    for (const auto& [wanted, part] : values) largest = std::max(largest, std::fabs(part));
+    if (largest == 0) return near;
+    const double within = std::max(k_within * near, k_half / largest);
     std::vector<std::pair<double, int>> ends;  // of the factors that give each byte: 1 begins, -1 ends
     for (const auto& [wanted, part] : values) {
         if (part == 0) continue;
         const auto [first, last] = std::minmax({(wanted - k_half) / part, (wanted + k_half) / part});
-        if (last < near * (1 - k_within) || first > near * (1 + k_within)) continue;
+        if (last < near - within || first > near + within) continue;
         ends.emplace_back(first, 1);
         ends.emplace_back(last, -1);
     }

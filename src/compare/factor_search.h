@@ -26,8 +26,8 @@ TriedFactor refine_factor(TriedFactor known, double low, double high, double eno
 /// A byte that is wanted, 0 to 1 without what no factor changes, and what a factor of 1 gives.
 using WantedValue = std::pair<double, double>;
 
-/// The factor within 1% of `near` that rounds the most of these values to the bytes that are wanted; `near`
-/// if there is none that does so for half of them.
+/// The factor within 1% of `near`, or half a byte of the largest value, that rounds the most of these values
+/// to the bytes that are wanted; `near` if there is none that does so for half of them.
 double factor_of_most(const std::vector<WantedValue>& values, double near);
 
 /// A factor in words: "half", "twice", "1.5 times", "about 1.37 times".

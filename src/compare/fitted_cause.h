@@ -22,6 +22,7 @@ struct FittedCause {
     std::vector<double> start = {};  ///< of the numbers; zeros if it is empty
     bool starts_far = false;         ///< `start` is another picture than the scene's
     bool is_factor = false;          ///< of a number of the scene
+    bool fits_bytes = false;         ///< the picture depends linearly on the number, which gives its bytes
     /// If the cause has more forms than its numbers say: those that begin where these numbers are fitted. The
     /// nearest of them is fitted next.
     std::function<std::vector<FittedCause>(std::span<const double>)> refined = {};

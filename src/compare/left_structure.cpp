@@ -139,7 +139,7 @@ bool has_blobs(const BytePicture& made, const BytePicture& target, const Area& a
 }
 
 bool agrees_where_changed(const BytePicture& made, const BytePicture& target, const BytePicture& original,
-                          const Area& area, bool but_at_edges) {
+                          const Area& area, bool but_at_edges, double most) {
     struct Count {
         std::size_t changed = 0, off = 0, overdone = 0;
         std::size_t at_edges = 0, beyond_samples = 0, same_edges = 0, same_off = 0;
@@ -191,7 +191,7 @@ bool agrees_where_changed(const BytePicture& made, const BytePicture& target, co
     const std::size_t off = all.off + (is_same_sampling ? all.at_edges : all.beyond_samples);
     return static_cast<double>(off) <= 2 + fraction(made.rgb.size() / 3, k_structure_of_picture) +
                                            fraction(all.changed, k_changed_off) &&
-           static_cast<double>(all.sum) <= fraction(all.shaded, k_rounding_mean) &&
+           static_cast<double>(all.sum) <= 2 + fraction(all.shaded, most) &&
            (!but_at_edges || static_cast<double>(all.shaded) >= fraction(3 * all.changed, k_shaded));
 }
 

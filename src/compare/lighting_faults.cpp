@@ -26,6 +26,12 @@ std::string exponent_text(double factor, bool about) {
         text += " (Blinn-Phong's needs to be about four times Phong's, not Phong's itself.)";
     return text;
 }
+std::string vanished_text(double factor) {
+    return fmt::format(
+        "The specular exponent is {:.0f} times what it should be, or more: highlights are smaller than a "
+        "pixel.",
+        factor);
+}
 std::string other_model_text(double factor, bool about) {
     return fmt::format(
         "The other model of the highlight (Phong for Blinn-Phong, or the reverse), with {} the exponent.",
@@ -81,7 +87,8 @@ constexpr SceneFault k_lighting[] = {
      [](Scene& s) { for_each_material(s, [](Material& m) {
                         m.specular = m.phong = {0, 0, 0};
                     }); },
-     "The specular term is missing: add k_s I (R.V)^n, or (N.H)^n, for every light that reaches the point.",
+     "The specular term is missing, or nowhere large enough to be seen: add k_s I (R.V)^n, or (N.H)^n, for "
+     "every light that reaches the point.",
      "the specular term", "specular-scaled", scale_specular},
     {"unlit", is_lit, [](Scene& s) { std::for_each(s.lights.begin(), s.lights.end(), switch_off); },
      "There is no light at all: surfaces that are hit are black.", "the light of all lights together",
@@ -102,13 +109,18 @@ constexpr SceneFault k_lighting[] = {
      [](Scene& s) { for_each_light(s, switch_off); },
      "There is only the ambient term. N or L is reversed, so that N.L is below 0 where the surface is lit (a "
      "sphere's N is P - C, not C - P, and L goes from P to the light), or no light is "
-     "added, or all lights stand where they reach nothing that is visible.",
+     "added, or all lights stand where they reach nothing that is visible, or are too dim to be seen.",
      "the light of all lights but the ambient one", "light-intensity", scale_lights},
     {"shadows-missing", has_shadows, [](Scene& s) { s.settings.shadows = false; },
      "Shadows are missing: before adding a light, test whether a ray from the point to it hits a surface."},
     {"shadows-added", [](const Scene& s) { return is_lit(s) && !s.settings.shadows; },
      [](Scene& s) { s.settings.shadows = true; }, "There are shadows, and the reference has none."},
-    {.name = "exponent", .applies = has_highlights, .scale = scale_exponents, .scale_text = exponent_text},
+    {.name = "exponent",
+     .applies = has_highlights,
+     .scale = scale_exponents,
+     .scale_text = exponent_text,
+     .limit = "specular-missing",
+     .limit_text = vanished_text},
     {"exponent", has_highlights,
      [](Scene& s) { for_each_material(s, [](Material& m) { m.shininess = m.phong_shininess = 1; }); },
      "The specular exponent is 1: the highlight is not raised to the power n."},

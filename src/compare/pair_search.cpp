@@ -129,7 +129,7 @@ CausePair PairSearch::named(PairCandidate pair, const Search& search) const {
                 c->is_exact = found.is_exact;
             }
         } else if (const auto made = render_candidate(renderer_, *c, renderer_.scene(), all_)) {
-            search.confirm(made->bytes, *c);
+            search.confirm(made->bytes, *c, c->parameters > 0);
         }
     }
     CausePair named{std::move(pair.before), std::move(pair.after)};
@@ -269,7 +269,7 @@ std::optional<CausePair> PairSearch::find_shifted(const Search& search) {
 // Sets what both leave of all pixels.
 bool PairSearch::confirm(const Search& search, PairCandidate& pair) const {
     const std::optional<RenderedScene> made = render_pair(renderer_, all_, search, pair);
-    if (made) search.confirm(made->bytes, pair.after);
+    if (made) search.confirm(made->bytes, pair.after, pair.before.parameters + pair.after.parameters > 0);
     // In the range of a picture, 0.8 / (1 + d) is near 1 / (3 + d).
     const auto is_curve = [](const CauseCandidate& c) { return c.cause.name == "attenuation-added"; };
     if (pair.before.is_vague || (is_curve(pair.before) && pair.after.fitted) ||

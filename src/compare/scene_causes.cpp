@@ -147,6 +147,8 @@ std::vector<SceneCause> scene_causes(const Scene& scene) {
                                   row.scale_part,
                                   row.scale,
                                   row.scale_text,
+                                  row.limit,
+                                  row.limit_text,
                                   {},
                                   row.reshape,
                                   row.fault});

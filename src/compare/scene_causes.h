@@ -25,6 +25,10 @@ struct SceneCause {
     /// it one, and says so, of a factor that is fitted. There is no other explanation then.
     std::function<void(Scene&, double)> scale = {};
     std::function<std::string(double factor, bool about)> scale_text = {};
+    /// The cause whose picture an ever larger factor gives, and what is said if the pixels do not tell them
+    /// apart from this factor on.
+    std::string limit = {};
+    std::function<std::string(double factor)> limit_text = {};
     /// If no setting of the scene makes the fault: its picture as a sum of others. `put` is empty then.
     std::function<std::optional<Image>(const Scene&, const RenderScene&)> compose = {};
     void (*reshape)(Scene&) = nullptr;      ///< changes the scene with its shapes

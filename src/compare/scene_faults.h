@@ -20,8 +20,10 @@ struct SceneFault {
     void (*scale_part)(Scene&, double) = nullptr;
     void (*scale)(Scene&, double) = nullptr;  ///< then the cause is a factor, and the next its explanation
     std::string (*scale_text)(double, bool) = nullptr;
-    void (*reshape)(Scene&) = nullptr;      ///< changes the scene with its shapes
-    TracerFault fault = TracerFault::none;  ///< of the kernels
+    void (*reshape)(Scene&) = nullptr;            ///< changes the scene with its shapes
+    TracerFault fault = TracerFault::none;        ///< of the kernels
+    const char* limit = "";                       ///< the cause whose picture an ever larger factor gives
+    std::string (*limit_text)(double) = nullptr;  ///< from this factor on
 };
 
 /// Of the lighting equation; of spots and area lights; of rays; of fog, transparency and occlusion.

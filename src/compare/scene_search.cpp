@@ -45,15 +45,16 @@ std::shared_ptr<const FittedCause> factor_of(const SceneCause& cause, double nea
 }
 
 std::shared_ptr<const FittedCause> multiple_of(const SceneCause& cause, double near) {
-    return std::make_shared<FittedCause>(
-        FittedCause{cause.scaled,
-                    {k_factor_unit * near},
-                    [scale = cause.scale_part](FaultyScene& s, std::span<const double> v) {
-                        scale(s.shading, std::max(v[0], 0.0));
-                    },
-                    [part = capitalized(cause.part)](std::span<const double> v, bool) {
-                        return fmt::format("{} is {:.3g} times what it should be.", part, v[0]);
-                    }});
+    FittedCause multiple{cause.scaled,
+                         {k_factor_unit * near},
+                         [scale = cause.scale_part](FaultyScene& s, std::span<const double> v) {
+                             scale(s.shading, std::max(v[0], 0.0));
+                         },
+                         [part = capitalized(cause.part)](std::span<const double> v, bool) {
+                             return fmt::format("{} is {:.3g} times what it should be.", part, v[0]);
+                         }};
+    multiple.fits_bytes = true;
+    return std::make_shared<FittedCause>(std::move(multiple));
 }
 
 }  // namespace
@@ -118,6 +119,13 @@ CauseCandidate SceneSearch::scaled_candidate(std::size_t i, double factor, bool 
         cause.scale ? factor_of(cause, factor) : multiple_of(cause, factor), {factor}, about, least);
     candidate.row = i;
     return candidate;
+}
+
+std::optional<std::size_t> SceneSearch::cause_with_limit(const std::string& name) const {
+    for (std::size_t i = 0; i < size(); ++i) {
+        if (causes_[i].limit == name) return i;
+    }
+    return std::nullopt;
 }
 
 void SceneSearch::try_cause(std::size_t i, const std::vector<Search*>& searches) const {
@@ -212,8 +220,10 @@ void SceneSearch::try_multiples(const std::vector<Search*>& searches, std::size_
         if (!factor) continue;
         Image image = without.image;
         for (std::size_t i = 0; i < part.size(); ++i) image.rgb[i] += static_cast<float>(*factor) * part[i];
-        search->judge(to_bytes(image, 1, renderer_.rule(scene_.shading)),
-                      scaled_candidate(row, *factor, false));
+        const BytePicture made = to_bytes(image, 1, renderer_.rule(scene_.shading));
+        // What cannot be seen is missing.
+        if (beyond_rounding(made, without.bytes) > 0)
+            search->judge(made, scaled_candidate(row, *factor, false));
     }
 }
 

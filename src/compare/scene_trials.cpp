@@ -27,6 +27,8 @@ constexpr double k_has_forms = 0.6;
 constexpr double k_worth_judging = 0.5;
 // Bytes of each pixel before causes are tried on all of them, at least.
 constexpr std::size_t k_before_trials = 40;
+// Factors whose picture may be that of a term that is missing: from where the search for factors ends.
+constexpr double k_least_limit = 16, k_most_limit = 4096, k_limit_step = 1.414213562373095;
 constexpr std::size_t k_named_shapes = 3;
 constexpr double k_said_share = 0.1;
 
@@ -178,10 +180,38 @@ void SceneTrials::confirm(GridSearch& small) const {
         const auto made =
             render_candidate(renderer_, candidate, renderer_.scene(), {grid_.width, grid_.height, 1});
         if (!made) continue;
-        whole.confirm(made->bytes, candidate);
+        whole.confirm(made->bytes, candidate, candidate.is_near());
+        std::optional<CauseCandidate> rival = judge_limit(whole, made->bytes, candidate);
         whole.add(made->bytes, std::move(candidate));
+        if (rival) whole.add(made->bytes, *std::move(rival));
     }
     whole.report.tried = tried;
+}
+
+// A term that is missing, and a factor that leaves hardly anything of it, look the same but for a few pixels.
+// If a factor gives these, the term is not missing. If there are none, the factor from which on the pictures
+// are the same is a cause, too.
+std::optional<CauseCandidate> SceneTrials::judge_limit(const Search& whole, const BytePicture& made,
+                                                       CauseCandidate& missing) const {
+    const std::optional<std::size_t> row = search_->cause_with_limit(missing.cause.name);
+    if (!missing.is_exact || !row) return std::nullopt;
+    const std::size_t off = beyond_rounding(made, *whole.target);
+    for (double factor = k_least_limit; factor <= k_most_limit && !is_cancelled(); factor *= k_limit_step) {
+        CauseCandidate rival = search_->scaled_candidate(*row, factor, true);
+        const auto with =
+            render_candidate(renderer_, rival, renderer_.scene(), {grid_.width, grid_.height, 1});
+        if (!with) return std::nullopt;
+        if (beyond_rounding(with->bytes, *whole.target) < off) {
+            missing.is_exact = false;
+            return std::nullopt;
+        }
+        if (beyond_rounding(with->bytes, made) > 0) continue;
+        rival.cause.explanation = search_->cause(*row).limit_text(factor);
+        rival.left = missing.left;
+        rival.is_confirmed = rival.is_exact = true;
+        return rival;
+    }
+    return std::nullopt;
 }
 
 std::optional<CausePair> SceneTrials::find_pair(Search& search, PairKind kind) {

@@ -54,6 +54,8 @@ class SceneTrials {
     void try_geometry(const PixelGrid& grid, const RenderedScene& rendered, GridSearch& search) const;
     void try_forms(const PixelGrid& grid, GridSearch& search) const;
     void confirm(GridSearch& search) const;
+    std::optional<CauseCandidate> judge_limit(const Search& whole, const BytePicture& made,
+                                              CauseCandidate& missing) const;
 
     const BytePicture& reference_;
     const std::vector<std::uint8_t>& edges_;
