@@ -9,7 +9,9 @@
 #include "cli/commands.h"
 #include "cli/drop_in.h"
 #include "cli/failure.h"
+#include "cli/output_file.h"
 #include "cli/print_error.h"
+#include "cli/print_text.h"
 
 namespace glint::cli {
 namespace {
@@ -23,8 +25,9 @@ struct Arguments {
 
 // Folders that the system's packages, or all of its users, share.
 bool is_systems(const fs::path& folder) {
-    for (const char* const shared : {"/bin", "/boot", "/dev", "/etc", "/lib", "/lib32", "/lib64", "/libx32",
-                                     "/proc", "/sbin", "/sys", "/usr"}) {
+    for (const char* const shared :
+         {"/bin", "/boot", "/dev", "/etc", "/lib", "/lib32", "/lib64", "/libx32", "/nix", "/opt", "/proc",
+          "/run", "/sbin", "/snap", "/sys", "/usr", "/var"}) {
         const fs::path inside = folder.lexically_relative(shared);
         if (!inside.empty() && *inside.begin() != "..") return true;
     }
@@ -47,11 +50,19 @@ fs::path link_of(const fs::path& folder, const DropInProgram& program) {
     return folder / program.name.substr(std::string_view("glint-").size());
 }
 
+// A text for a shell's command line.
+std::string in_quotes(const fs::path& folder) {
+    std::string quoted = "'";
+    for (const char c : folder.string()) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
 [[noreturn]] void fail_at(const fs::path& file, const std::string& why) {
     throw Failure(k_bad_input, fmt::format("{}: {}", file.string(), why));
 }
 
 void remove_links(const fs::path& folder) {
+    bool removed = false;
     for (const DropInProgram* program : drop_in_programs()) {
         const fs::path link = link_of(folder, *program);
         std::error_code failed;
@@ -61,9 +72,11 @@ void remove_links(const fs::path& folder) {
         } else if (fs::remove(link, failed); failed) {
             fail_at(link, failed.message());
         } else {
-            fmt::print("removed {}\n", link.string());
+            print_text(fmt::format("removed {}\n", link.string()));
+            removed = true;
         }
     }
+    if (!removed) print_text(fmt::format("nothing to remove in {}\n", folder.string()));
 }
 
 // The running program's folder, which has the others, too.
@@ -72,6 +85,16 @@ fs::path programs_folder() {
     const fs::path self = fs::read_symlink("/proc/self/exe", failed);
     if (failed) throw Failure(k_bad_input, "the folder of this program is not known: " + failed.message());
     return self.parent_path();
+}
+
+// The older link stays until the new one takes its place.
+void replace_link(const fs::path& link, const fs::path& target) {
+    const fs::path made = temporary_beside(link.string());
+    std::error_code failed, ignored;
+    if (fs::create_symlink(target, made, failed); failed) fail_at(link, failed.message());
+    if (fs::rename(made, link, failed); !failed) return;
+    fs::remove(made, ignored);
+    fail_at(link, failed.message());
 }
 
 void install_links(const fs::path& folder) {
@@ -87,15 +110,14 @@ void install_links(const fs::path& folder) {
     if (fs::create_directories(folder, failed); failed) fail_at(folder, failed.message());
     for (const DropInProgram* program : drop_in_programs()) {
         const fs::path link = link_of(folder, *program), target = programs / program->name;
-        fs::remove(link, failed);
-        if (fs::create_symlink(target, link, failed); failed) fail_at(link, failed.message());
-        fmt::print("{} -> {}\n", link.string(), target.string());
+        replace_link(link, target);
+        print_text(fmt::format("{} -> {}\n", link.string(), target.string()));
     }
-    fmt::print(
-        "\nPrograms that call povray or tachyon find these if the folder is first in PATH:\n"
-        "  export PATH=\"{}:$PATH\"\n"
-        "Undo: glint install-drop-ins --remove {}\n",
-        folder.string(), folder.string());
+    print_text(
+        fmt::format("\nPrograms that call povray or tachyon find these if the folder is first in PATH:\n"
+                    "  export PATH={0}:\"$PATH\"\n"
+                    "Undo: glint install-drop-ins --remove {0}\n",
+                    in_quotes(folder)));
 }
 
 }  // namespace
@@ -110,14 +132,17 @@ Run add_install_drop_ins(CLI::App& app) {
     command.footer(
         "Other files are never replaced, and folders of the system are refused.\n\n"
         "Examples:\n  glint install-drop-ins ~/glint-links\n"
-        "  PATH=~/glint-links:$PATH sage\n  glint install-drop-ins --remove ~/glint-links");
+        "  PATH=~/glint-links:$PATH pymol\n  glint install-drop-ins --remove ~/glint-links");
     return [arguments] {
         std::error_code failed;
-        fs::path folder = fs::weakly_canonical(fs::absolute(arguments->folder), failed);
-        if (!folder.has_filename()) folder = folder.parent_path();  // a/ is a
+        fs::path folder = fs::absolute(arguments->folder, failed);
+        if (!failed) folder = fs::weakly_canonical(folder, failed);
         if (failed) fail_at(arguments->folder, failed.message());
+        if (!folder.has_filename()) folder = folder.parent_path();  // a/ is a
         if (is_systems(folder))
             fail_at(folder, "is a folder of the system: choose one of your own, as ~/glint-links");
+        if (folder.string().find(':') != std::string::npos)
+            fail_at(folder, "has a colon, which separates the folders of PATH");
         if (is_there(folder) && !fs::is_directory(folder, failed)) fail_at(folder, "is no folder");
         arguments->removes ? remove_links(folder) : install_links(folder);
         return k_done;

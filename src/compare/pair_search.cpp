@@ -272,8 +272,13 @@ bool PairSearch::confirm(const Search& search, PairCandidate& pair) const {
     if (made) search.confirm(made->bytes, pair.after, pair.before.parameters + pair.after.parameters > 0);
     // In the range of a picture, 0.8 / (1 + d) is near 1 / (3 + d).
     const auto is_curve = [](const CauseCandidate& c) { return c.cause.name == "attenuation-added"; };
-    if (pair.before.is_vague || (is_curve(pair.before) && pair.after.fitted) ||
-        (is_curve(pair.after) && pair.before.fitted))
+    // A term that is missing may be one that is hardly visible (SceneTrials::judge_limit): not judged of
+    // pairs.
+    const auto may_be_tiny = [&](const CauseCandidate& c) {
+        return causes_.cause_with_limit(c.cause.name).has_value();
+    };
+    if (pair.before.is_vague || may_be_tiny(pair.before) || may_be_tiny(pair.after) ||
+        (is_curve(pair.before) && pair.after.fitted) || (is_curve(pair.after) && pair.before.fitted))
         pair.after.is_exact = false;
     return made.has_value();
 }

@@ -83,14 +83,27 @@ class Loader {
 
     bool is_cancelled() const { return options_.cancel.is_set(); }
 
-    // Included texts count as part of the including text.
-    bool go_on(InputText where, std::size_t offset) {
-        const bool is_given = where.text.data() == texts_[reading_.includes.root].text.data();
-        if (options_.progress && is_given && bytes_ > 0) {
-            std::size_t read = offset;
-            for (std::size_t i = 0; i < reading_.includes.root; ++i) read += texts_[i].text.size();
-            options_.progress(static_cast<double>(read) / static_cast<double>(bytes_));
+    // An included text is known when it is read: then there is more to be read than before.
+    void report(InputText where, std::size_t offset) {
+        if (where.text.data() == texts_[reading_.includes.root].text.data()) {
+            given_read_ = offset;
+            for (std::size_t i = 0; i < reading_.includes.root; ++i) given_read_ += texts_[i].text.size();
+            included_read_ = included_.size();
+        } else {
+            if (where.text.data() != included_.data()) {
+                included_bytes_ += where.text.size();
+                included_before_ += included_.size();
+                included_ = where.text;
+            }
+            included_read_ = offset;
         }
+        const std::size_t all = bytes_ + included_bytes_,
+                          read = given_read_ + included_before_ + included_read_;
+        if (all > 0) most_read_ = std::max(most_read_, static_cast<double>(read) / static_cast<double>(all));
+        options_.progress(std::min(most_read_, 1.0));
+    }
+    bool go_on(InputText where, std::size_t offset) {
+        if (options_.progress) report(where, offset);
         return !is_cancelled() && reading_.is_within_memory(where, offset);
     }
 
@@ -203,6 +216,11 @@ class Loader {
     std::span<const SceneText> texts_;
     const LoadOptions& options_;
     std::size_t bytes_;  // of all texts
+    // For the progress: bytes that are read, of the given texts, of the included ones before the last, and of
+    // the last.
+    std::size_t given_read_ = 0, included_before_ = 0, included_read_ = 0, included_bytes_ = 0;
+    std::string_view included_;
+    double most_read_ = 0;
     std::vector<const Format*> formats_;
     LoadState reading_;
     std::optional<ValidatedScene> validated_;  // once it is known to be valid; reading_.scene is then empty

@@ -277,7 +277,7 @@ TEST_F(CommandLines, DropInsAreLinksInAFolderOfTheUsers) {
     };
     const Finished done = install({"mine/links/"});
     EXPECT_EQ(done.code, 0) << done.err;
-    EXPECT_TRUE(contains(done.out, "export PATH=\"" + links + ":$PATH\"")) << done.out;
+    EXPECT_TRUE(contains(done.out, "export PATH='" + links + "':\"$PATH\"")) << done.out;
     EXPECT_EQ(run_program(folder, {"--version"}, links + "/tachyon").out,
               "glint-tachyon (glint " GLINT_VERSION ")\n");
     EXPECT_EQ(run_program(folder, {"--version"}, links + "/povray").out,
@@ -302,6 +302,12 @@ TEST_F(CommandLines, DropInsAreLinksInAFolderOfTheUsers) {
         EXPECT_TRUE(contains(r.err, "is a folder of the system")) << r.err;
     }
     EXPECT_TRUE(contains(install({"mine/links/other"}).err, "is no folder"));
+    EXPECT_TRUE(contains(install({"a:b"}).err, "has a colon"));
+    const Finished odd = install({"it's \x1b[31m \"$(touch x)"});
+    EXPECT_EQ(odd.code, 0) << odd.err;
+    EXPECT_EQ(odd.out.find('\x1b'), std::string::npos);
+    EXPECT_TRUE(contains(odd.out, "/it'\\''s ")) << odd.out;
+    EXPECT_TRUE(contains(install({"--remove", folder.path("none")}).out, "nothing to remove"));
 }
 
 TEST_F(CommandLines, PovrayRendersFramesAndParts) {

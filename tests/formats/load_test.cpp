@@ -211,6 +211,20 @@ TEST(Load, ReportsProgress) {
     for (std::size_t i = 1; i < fractions.size(); ++i) EXPECT_LT(fractions[i] - fractions[i - 1], 0.1);
 }
 
+// An included text that is much longer than the one that includes it.
+TEST(Load, ReportsTheProgressOfIncludedTexts) {
+    struct Spheres : Sources {
+        Result<std::string> read(std::string_view, std::string_view) override { return many_spheres(); }
+    } sources;
+    std::vector<double> fractions;
+    LoadOptions options;
+    options.progress = [&](double fraction) { fractions.push_back(fraction); };
+    ASSERT_TRUE(load_text("include \"spheres.glint\"\n", "a.glint", options, &sources));
+    ASSERT_GT(fractions.size(), 20u);
+    EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+    for (std::size_t i = 1; i < fractions.size(); ++i) EXPECT_LT(fractions[i] - fractions[i - 1], 0.1);
+}
+
 TEST(Load, CanBeCancelled) {
     const std::string text = many_spheres();
     for (const double when : {0.0, 0.3, 0.9}) {

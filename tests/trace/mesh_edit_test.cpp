@@ -73,6 +73,8 @@ class MeshEdit : public ::testing::Test {
 TEST_F(MeshEdit, MovesOnePlaceOfThree) {
     scene.transforms[1] = translation({4, 1, 2});
     expect_picture_of_edit({1});
+    scene.shapes[0].transform = 3;
+    expect_picture_of_edit({0});
 }
 
 TEST_F(MeshEdit, ReplacesTheContentInAllPlaces) {

@@ -12,6 +12,8 @@ export interface ExrPicture {
 const compressions = ['none', 'RLE', 'ZIPS', 'ZIP', 'PIZ', 'PXR24', 'B44', 'B44A', 'DWAA', 'DWAB'];
 /** Lines that are compressed together, of those that are read. */
 const blockLines: Record<string, number> = {none: 1, ZIPS: 1, ZIP: 16};
+/** More than the largest picture has in 16 lines of six channels. */
+const mostBlockBytes = 2 ** 26;
 const tiledFlag = 0x200, deepFlag = 0x800, partsFlag = 0x1000;
 
 class Reader {
@@ -149,8 +151,10 @@ export async function readExr(file: Uint8Array<ArrayBuffer>, mostPixels: number)
     const color = ['R', 'G', 'B'].map((name) => channels.find((one) => one.name === name) ?? channels.find((one) => one.name === 'Y'));
     if (color.some((one) => !one || one.type === 0)) reader.fail('the picture has no half or float channels R, G, B, and no Y', 8);
 
-    const rgb = new Float32Array(3 * shown.width * shown.height), lines = blockLines[compression]!;
+    const lines = blockLines[compression]!;
+    if (Math.min(lines, data.height) * data.width * bytesPerPixel > mostBlockBytes) reader.fail('its blocks are too large', 8);
     const blocks = Array.from({length: Math.ceil(data.height / lines)}, reader.offset);
+    const rgb = new Float32Array(3 * shown.width * shown.height);
     for (const [n, offset] of blocks.entries()) {
         const first = n * lines, count = Math.min(lines, data.height - first);
         reader.at = Math.min(offset, file.length);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Saves the page's files.
 import {Stopped} from './engine/pool';
+import type {Shown} from './engine/view';
 import {numbersOf} from './store/floats';
 import {fetchLater} from './store/later';
-import {comparison, documentId, fileName, isPictureOfScene, notice, settingOf} from './store/state';
+import {comparison, documentId, fileName, isPictureOfScene, notice, services, settingOf} from './store/state';
 import {canvases, pixelsOf} from './ui/pictures';
 
 function save(blob: Blob, name: string) {
@@ -31,27 +32,30 @@ export function pictureName(kind: PictureKind = 'png'): string {
 const pngWriter = () => import('glint-wasm/png'), exrWriter = () => import('glint-wasm/exr');
 fetchLater(() => Promise.all([pngWriter(), exrWriter()]));
 
-async function pngOf(canvas: HTMLCanvasElement): Promise<Blob> {
+// What is shown is taken before the writer is there: that may take a while.
+async function pngOf(): Promise<Blob> {
+    const {data, width, height} = pixelsOf(canvases.first);
+    const options = {alpha: shownSetting('alpha') === 'true', srgb: shownSetting('transfer') === 'srgb'};
     const {encodePng} = await pngWriter();
-    const {data, width, height} = pixelsOf(canvas);
-    return new Blob([encodePng(data, width, height, {alpha: shownSetting('alpha') === 'true', srgb: shownSetting('transfer') === 'srgb'})], {type: 'image/png'});
+    return new Blob([encodePng(data, width, height, options)], {type: 'image/png'});
 }
 
 /** Renders the first picture again, since the canvas has bytes only. */
-async function exrOf({width, height}: HTMLCanvasElement): Promise<Blob> {
+async function exrOf(shown: Shown): Promise<Blob> {
+    const {rgb, alpha} = await numbersOf(shown, shownSetting('alpha') === 'true');
     const {encodeExr} = await exrWriter();
-    const {rgb, alpha} = await numbersOf(width, height, shownSetting('alpha') === 'true');
-    return new Blob([encodeExr(rgb, width, height, {alpha})], {type: 'image/x-exr'});
+    return new Blob([encodeExr(rgb, shown.width, shown.height, {alpha})], {type: 'image/x-exr'});
 }
 
 export async function savePicture(kind: PictureKind) {
-    if (!isPictureOfScene.value) {
+    const shown = services.first?.current;
+    if (!isPictureOfScene.value || !shown) {
         notice.value = 'There is no picture of this scene yet.';
         return;
     }
     const name = pictureName(kind), scene = documentId.value;
     try {
-        save(await (kind === 'png' ? pngOf : exrOf)(canvases.first), name);
+        save(await (kind === 'png' ? pngOf() : exrOf(shown)), name);
     } catch (error) {
         const why = error instanceof Stopped && error.message === '' ? 'the scene has changed' : error instanceof Error ? error.message : String(error);
         if (scene === documentId.value) notice.value = `The picture is not saved: ${why}.`;

@@ -33,8 +33,5 @@ try {
     state.value = 'error';
 }
 addEventListener('popstate', ({state: entry}) => void addressChanged(entry as Entry | null));
-if (import.meta.env.PROD && 'serviceWorker' in navigator) {
-    navigator.serviceWorker.register('./sw.js').catch(() => {
-        // Without the service worker, the page needs its server the next time it is opened.
-    });
-}
+// It fetches all files of the page. Without it, the page needs its server the next time it is opened.
+if (import.meta.env.PROD && 'serviceWorker' in navigator) fetchLater(() => navigator.serviceWorker.register('./sw.js'));

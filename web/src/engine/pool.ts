@@ -136,7 +136,7 @@ export class Pool {
     #replace(member: Member, why: string) {
         member.worker.terminate();
         clearTimeout(member.timer);
-        member.running?.failed(new Stopped(why));
+        member.running?.failed(new Stopped(member.running.isCancelled ? '' : why));
         this.#members[this.#members.indexOf(member)] = this.#start();
         this.#next();
     }

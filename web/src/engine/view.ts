@@ -24,6 +24,16 @@ export interface Progress {
     milliseconds: number;
 }
 
+/** A content that is open, and what its whole picture is rendered with. */
+export interface Shown {
+    content: ViewContent;
+    key: number;
+    info: SceneInfo;
+    prepare: PrepareRequest;
+    width: number;
+    height: number;
+}
+
 export interface ViewEvents {
     /** The content was read; the scene may have errors. */
     opened(opened: Opened, content: ViewContent): void;
@@ -48,7 +58,7 @@ let lastKey = 0;
 
 export class View {
     /** The content that is shown, for explanations; set when it is open. */
-    current: {content: ViewContent; key: number; info: SceneInfo; prepare: PrepareRequest} | null = null;
+    current: Shown | null = null;
     #pending: ViewContent | null = null;
     #key = 0;
     #busy = false;
@@ -134,7 +144,7 @@ export class View {
         if (!info) return;
         let levels = levelsOf(content, info, affordable);
         const last = levels.at(-1)!;
-        this.current = {content, key, info, prepare: last.prepare};
+        this.current = {content, key, info, prepare: last.prepare, width: last.width, height: last.height};
         this.#missing = last;
         this.events.sized(last.width, last.height);
         if (expected && opening.picture && isSameLevel(expected, levels[0]!)) {

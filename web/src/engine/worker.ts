@@ -15,12 +15,13 @@ let wasm: WebAssembly.Module;
 let glint: Glint | null = null;
 const scenes = new Map<string, OpenScene>();
 
-/** Tells the page how much of a scene is open, ten times a second at most. */
+/** Tells the page how much of a scene is open, ten times a second at most, and only if it is more than before. */
 function reporter(id: number) {
-    let next = performance.now() + 100;
+    let next = performance.now() + 100, most = 0;
     return (done: number) => {
-        if (performance.now() < next) return;
+        if (done <= most || performance.now() < next) return;
         next = performance.now() + 100;
+        most = done;
         postMessage({id, done} satisfies FromWorker);
     };
 }

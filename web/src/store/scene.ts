@@ -199,9 +199,9 @@ let conversions = 0;
 /** A mesh by itself in glint's own language, which refers to its file; or what is wrong with it. */
 export async function sceneOfMesh(request: OpenRequest): Promise<{text: string} | {error: string}> {
     const job = {view: 'converted', key: ++conversions, request, prepare: {}};
-    const said = notice.value;
+    let said = '';
     const opening = (done: number) => {
-        notice.value = `Reading ${shortName(request.texts[0]!.name)}: ${Math.round(100 * done)}%`;
+        notice.value = said = `Reading ${shortName(request.texts[0]!.name)}: ${Math.round(100 * done)}%`;
     };
     try {
         const {report} = await page.pool!.run({...job, task: {what: 'open'}}, true, opening);
@@ -211,7 +211,7 @@ export async function sceneOfMesh(request: OpenRequest): Promise<{text: string} 
     } catch (error) {
         return {error: error instanceof Error ? error.message : String(error)};
     } finally {
-        notice.value = said;
+        if (said !== '' && notice.value === said) notice.value = '';
     }
 }
 
