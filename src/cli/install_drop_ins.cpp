@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/drop_in.h"
 #include "cli/failure.h"
+#include "cli/file_policy.h"
 #include "cli/output_file.h"
 #include "cli/print_error.h"
 #include "cli/print_text.h"
@@ -28,8 +29,7 @@ bool is_systems(const fs::path& folder) {
     for (const char* const shared :
          {"/bin", "/boot", "/dev", "/etc", "/lib", "/lib32", "/lib64", "/libx32", "/nix", "/opt", "/proc",
           "/run", "/sbin", "/snap", "/sys", "/usr", "/var"}) {
-        const fs::path inside = folder.lexically_relative(shared);
-        if (!inside.empty() && *inside.begin() != "..") return true;
+        if (folder == shared || is_inside(folder.string(), shared)) return true;
     }
     return folder == folder.root_path();
 }
