@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/one_at_a_time.h"
 
-#if !defined(__wasm__)
-#include <oneapi/tbb/mutex.h>
+#if !defined(GLINT_ONE_THREAD)
+#include <mutex>
 #endif
 
 namespace glint {
 
-#if defined(__wasm__)
+#if defined(GLINT_ONE_THREAD)
 
 struct OneAtATime::Lock {};
 void OneAtATime::run(const std::function<void()>& body) { body(); }
@@ -15,11 +15,11 @@ void OneAtATime::run(const std::function<void()>& body) { body(); }
 #else
 
 struct OneAtATime::Lock {
-    oneapi::tbb::mutex mutex;
+    std::mutex mutex;
 };
 
 void OneAtATime::run(const std::function<void()>& body) {
-    const oneapi::tbb::mutex::scoped_lock lock(lock_->mutex);
+    const std::lock_guard lock(lock_->mutex);
     body();
 }
 

@@ -7,28 +7,16 @@
 #include <utility>
 #include <vector>
 
-#include "base/fp_environment.h"
-#include "base/status.h"
-#include "base/tsan_ordering.h"
-#if !defined(__wasm__)
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/mutex.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
-#endif
+#include "base/fp_environment.h"
+#include "base/status.h"
+#include "base/tsan_ordering.h"
 
 namespace glint {
-
-#if defined(__wasm__)
-
-int thread_count(int) { return 1; }
-
-void parallel_for(std::size_t count, int, const std::function<void(std::size_t)>& body) {
-    for (std::size_t i = 0; i < count; ++i) body(i);
-}
-
-#else
 
 namespace {
 
@@ -142,7 +130,5 @@ void parallel_for(std::size_t count, int threads, const std::function<void(std::
     });
     ordering.all_ended();
 }
-
-#endif
 
 }  // namespace glint
