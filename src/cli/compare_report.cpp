@@ -85,8 +85,10 @@ void add_causes(std::string& text, const CompareReport& report) {
     // What leaves exactly the same cannot be told apart by these pictures.
     const auto lesser = std::find_if(causes.causes.begin() + 1, causes.causes.end(),
                                      [&](const Cause& c) { return c.remaining != best.remaining; });
-    add_others(text, "the same picture comes from", {causes.causes.begin() + 1, lesser});
-    add_others(text, "less likely", {lesser, causes.causes.end()});
+    const auto as_good = static_cast<std::size_t>(lesser - causes.causes.begin());
+    const std::span<const Cause> all = causes.causes;
+    add_others(text, "the same picture comes from", all.subspan(1, as_good - 1));
+    add_others(text, "less likely", all.subspan(as_good));
     if (!report.with_scene && best.explained < 0.95) text += "  --scene SCENE tries more causes.\n";
 }
 

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 
 #include "base/text.h"
+#include "formats/number_text.h"
 #include "math/transform.h"
 #include "scene/ranges.h"
 
@@ -19,8 +19,8 @@ std::optional<Vec3> parse_view(std::string_view text) {
     const char *at = text.data(), *const end = text.data() + text.size();
     for (int i = 0; i < 3; ++i) {
         if (i > 0 && (at == end || *at++ != ',')) return std::nullopt;
-        const auto [stop, error] = std::from_chars(at, end, values[i]);
-        if (error != std::errc() || !(std::abs(values[i]) <= k_coordinate.max)) return std::nullopt;
+        const char* const stop = read_any_number(at, end, values[i]);
+        if (stop == at || !(std::abs(values[i]) <= k_coordinate.max)) return std::nullopt;
         at = stop;
     }
     const Vec3 view{values[0], values[1], values[2]};

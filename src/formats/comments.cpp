@@ -270,7 +270,8 @@ SceneComments::SceneComments(const Scene& scene, std::span<const SceneText> text
         while (next != items.end() && next->place.file < source.file) ++next;
         const auto first = next;
         while (next != items.end() && next->place.file == source.file) ++next;
-        Scanner(*this, source.text, source.dialect, {first, next}).run();
+        const std::span own(items.data() + (first - items.begin()), static_cast<std::size_t>(next - first));
+        Scanner(*this, source.text, source.dialect, own).run();
     }
 }
 
