@@ -28,9 +28,8 @@ void write_to_stderr(std::string_view text) {
     [[maybe_unused]] const ssize_t count = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
-// Uses only async-signal-safe calls. Loading, preparing and rendering hold nothing that outlives the
-// process, so they need no request to stop.
-void end_at_once(int signal) {
+// Leaves nothing incomplete, and says why the program ends.
+void clean_up(int signal) {
     for (const Unfinished& file : unfinished) {
         if (file.is_there) ::unlink(file.path);
     }
@@ -44,6 +43,12 @@ void end_at_once(int signal) {
         write_to_stderr(interrupt_advice);
         write_to_stderr("\n");
     }
+}
+
+// Uses only async-signal-safe calls. Loading, preparing and rendering hold nothing that outlives the
+// process, so they need no request to stop.
+void end_at_once(int signal) {
+    clean_up(signal);
     // Ends by the signal itself: a shell ends its loop only if a signal ended the child process.
     ::signal(signal, SIG_DFL);
     sigset_t set;
@@ -69,6 +74,14 @@ void handle_signals() {
     ::signal(SIGPIPE, SIG_IGN);
     ::signal(SIGXFSZ, SIG_IGN);
 }
+
+#if defined(__EMSCRIPTEN__)
+// node has the signals: src/node/glint.cjs.
+extern "C" __attribute__((used, visibility("default"), export_name("glint_interrupted"))) void
+glint_interrupted(int signal) {
+    clean_up(signal);
+}
+#endif
 
 UnfinishedFile::UnfinishedFile(const std::string& path) {
     if (path.size() >= sizeof unfinished[0].path) return;
