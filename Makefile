@@ -3,7 +3,7 @@
 PREFIX ?= /usr/local
 glint = build/release/glint
 
-.PHONY: help deps demo test test-all test-aarch64 test-blender test-mpi test-node test-peers test-python blender build install release web playground site tidy fuzz bench format generated clean
+.PHONY: help deps demo test test-all test-aarch64 test-blender test-mpi test-node test-peers test-python blender build install uninstall release web playground site tidy fuzz bench format generated clean
 
 help:
 	@echo 'make demo     installs what is missing, builds glint, renders castle.png and explains one of its pixels'
@@ -12,6 +12,7 @@ help:
 	@echo 'make deps     installs what is missing to build the command and the library; nothing else'
 	@echo 'make build    builds $(glint)'
 	@echo 'make install  installs the command and the library (PREFIX=$(PREFIX), DESTDIR=$(DESTDIR))'
+	@echo 'make uninstall  removes what make install has installed last (DESTDIR=$(DESTDIR))'
 	@echo 'make playground  builds the web page (make web: to web/dist) and serves it on this machine'
 	@echo 'make site     writes the page, the lessons, the documents and the C++ reference to build/site, for any web server'
 	@echo 'make bench    installs POV-Ray, Tachyon and Embree and compares glint with them (docs/performance.md)'
@@ -89,6 +90,9 @@ build: deps
 install: build
 	@cmake --build --preset release
 	@DESTDIR='$(DESTDIR)' cmake --install build/release --prefix '$(PREFIX)'
+
+uninstall:
+	@tools/uninstall build/release/install_manifest.txt '$(DESTDIR)'
 
 release:
 	@tools/install-dependencies release

@@ -19,40 +19,39 @@ endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 
 set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME glint)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
 set(CPACK_COMPONENT_COMMAND_DESCRIPTION
-  "It renders scenes of spheres, planes, triangles and other simple shapes, explains every pixel, and names the mistake in a wrong picture.")
+  "It renders scenes of spheres, planes, triangles and other simple shapes,\nexplains every pixel, and names the mistake in a wrong picture.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libglint-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SOURCE glint)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 list(JOIN GLINT_DEBIAN_DEPENDS ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
-  "The library of the ray tracer glint: headers, a static library, and its packages for CMake and pkg-config.")
+  "The library of the ray tracer glint: headers, a static library, and its\npackages for CMake and pkg-config.")
 
 set(CPACK_DEBIAN_MPI_PACKAGE_NAME glint-mpi)
+set(CPACK_DEBIAN_MPI_PACKAGE_SOURCE glint)
 set(CPACK_DEBIAN_MPI_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_MPI_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_MPI_PACKAGE_RECOMMENDS openmpi-bin)
 set(CPACK_COMPONENT_MPI_DESCRIPTION
-  "The ray tracer glint on many processes: glint-mpi renders one picture on all processes of an MPI job.")
+  "The ray tracer glint on many processes: glint-mpi renders one picture on all\nprocesses of an MPI job.")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-glint)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SOURCE glint)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${GLINT_PYTHON_DEPENDS}")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION
-  "The Python package of the ray tracer glint: scenes, NumPy arrays, pictures, and the explanation of every pixel.")
+  "The Python package of the ray tracer glint: scenes, NumPy arrays, pictures,\nand the explanation of every pixel.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/debian/postinst ${PROJECT_SOURCE_DIR}/cmake/debian/prerm)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
-# Debian requires this name for the licence.
-file(READ NOTICE notice)
-file(READ LICENSE licence)
-file(WRITE ${PROJECT_BINARY_DIR}/package/copyright "${notice}\n${licence}")
-foreach(component ${CPACK_COMPONENTS_ALL})
-  string(TOUPPER ${component} upper)
-  install(FILES ${PROJECT_BINARY_DIR}/package/copyright
-    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME} COMPONENT ${component})
-endforeach()
+set(CPACK_GLINT_SOURCE ${PROJECT_SOURCE_DIR})
+set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/debian_files.cmake)
 include(CPack)

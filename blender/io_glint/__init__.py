@@ -3,7 +3,7 @@
 bl_info = {
     "name": "glint",
     "author": "The glint authors",
-    "version": (0, 2, 0),
+    "version": (0, 3, 0),
     "blender": (3, 3, 0),
     "location": "File > Export > glint (.glint), RT2 (.json); render engine glint",
     "description": "Export scenes to the ray tracer glint and to RT2's JSON, and render them by glint",

@@ -45,17 +45,21 @@ int run(const DropInProgram& program, const std::vector<std::string>& arguments)
     }
 }
 
-// Whether the program is called by the name of the one whose place it takes.
-bool stands_in(const DropInProgram& program, int count, char** values) {
-    if (program.stands_for.empty() || count < 1) return false;
+// The name that the program is called by, without its folder.
+std::string_view called_name(int count, char** values) {
+    if (count < 1) return {};
     const std::string_view path = values[0];
-    return path.substr(path.rfind('/') + 1) == program.stands_for;
+    return path.substr(path.rfind('/') + 1);
 }
 
 }  // namespace
 
+const DropInProgram* called_drop_in(int count, char** values) {
+    return find_drop_in(called_name(count, values));
+}
+
 int run_drop_in(const DropInProgram& program, int count, char** values) {
-    const bool stands = stands_in(program, count, values);
+    const bool stands = !program.stands_for.empty() && called_name(count, values) == program.stands_for;
     // Callers read standard output and look at its last line; others see standard error.
     CopiesErrors::set(stands);
     const int code = run_program(program.name, program.failure, [&] {

@@ -83,6 +83,9 @@ inline constexpr const char* k_drop_in_failure =
 /// The script for the shell: bash, zsh or fish.
 std::string drop_in_completion(const DropInProgram& program, std::string_view shell);
 
+/// The program whose name, or that of the one whose place it takes, the command is called by: links to the
+/// command have these names. Null by any other name.
+const DropInProgram* called_drop_in(int count, char** values);
 /// The whole program: parses, renders, prints messages. Returns the exit code.
 int run_drop_in(const DropInProgram& program, int count, char** values);
 

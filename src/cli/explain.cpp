@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // glint explain: explains the color of a pixel.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <charconv>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 
 #include "cli/commands.h"
@@ -17,7 +15,6 @@
 #include "cli/print_text.h"
 #include "cli/render_or_fail.h"
 #include "cli/scene_arguments.h"
-#include "cli/terminal.h"
 #include "cli/text.h"
 #include "cli/validators.h"
 #include "world/prepare.h"
@@ -93,7 +90,7 @@ int explain_command(ExplainArguments& arguments) {
     const Scene& scene = *loaded.scene;
     const Pair pixel = pixel_of(arguments, scene.settings);
     ExplainStyle style;
-    style.colors = is_terminal(STDOUT_FILENO) && std::getenv("NO_COLOR") == nullptr;
+    style.colors = prints_colors();
     style.from_below = arguments.origin == "bottom-left";
     style.file = encoding_of(arguments.numbers, scene.conventions.byte_rule());
     style.sample = sample_of(arguments, scene.settings.samples);
@@ -114,19 +111,19 @@ int explain_command(ExplainArguments& arguments) {
     const Explanation& explanation = *explained;
 
     if (light) {
-        print_text(why_not_text(explanation, scene, *light, style));
+        print_text_with_swatches(why_not_text(explanation, scene, *light, style));
     } else if (arguments.form == "json") {
         print_json(explanation_json(explanation, scene, style.file).value() + "\n");
     } else if (arguments.form == "printrays") {
         const int row = arguments.origin == "bottom-left" ? scene.settings.height - 1 - pixel.y : pixel.y;
         print_text(print_rays(explanation, scene, row, style));
     } else {
-        print_text(explanation_text(explanation, scene, style));
+        print_text_with_swatches(explanation_text(explanation, scene, style));
         const int samples = explanation.samples;
         if (samples > 1 && samples <= k_max_listed_samples) {
             options.sample = -1;
             const Result<Explanation> all = explain(scene, *prepared, pixel.x, pixel.y, options);
-            if (all) print_text(samples_text(*all, scene, style));
+            if (all) print_text_with_swatches(samples_text(*all, scene, style));
         }
     }
     if (overlay) {

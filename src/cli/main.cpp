@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command: selects the subcommand, and prints errors of usage.
+// The command: selects the subcommand, and prints errors of usage. By other names it is glint-povray and
+// glint-tachyon.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 
 #include "cli/command_line.h"
 #include "cli/commands.h"
+#include "cli/drop_in.h"
 #include "cli/failure.h"
 #include "cli/foreign_flags.h"
 #include "cli/print_error.h"
@@ -110,6 +112,8 @@ int run(const std::vector<std::string>& arguments) {
 
 int main(int count, char** values) {
     using namespace glint::cli;
+    if (const DropInProgram* program = called_drop_in(count, values))
+        return run_drop_in(*program, count, values);
     return run_program("glint", k_bad_input, [&] {
         return run({values + std::min(count, 1), values + count});
     });

@@ -2,11 +2,14 @@
 #include "cli/print_text.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 
 #include "base/text.h"
+#include "cli/terminal.h"
 
 namespace glint::cli {
 namespace {
@@ -23,9 +26,38 @@ unsigned code_of(std::string_view character) {
     return (byte(0) & 0x0f) << 12 | (byte(1) & 0x3f) << 6 | (byte(2) & 0x3f);
 }
 
+// The length of the swatch that the text begins with; 0: none. It can change the color of four blanks only.
+std::size_t swatch_length(std::string_view text) {
+    constexpr std::string_view begin = "\x1b[48;2;", longest = "255;255;255", end = "m    \x1b[0m";
+    if (!text.starts_with(begin)) return 0;
+    const std::size_t numbers_end = text.find_first_not_of("0123456789;", begin.size());
+    if (numbers_end == std::string_view::npos || numbers_end > begin.size() + longest.size()) return 0;
+    return text.substr(numbers_end).starts_with(end) ? numbers_end + end.size() : 0;
+}
+
 }  // namespace
 
 void print_text(std::string_view text) { write_out(printable_lines(text)); }
+
+void print_text_with_swatches(std::string_view text) {
+    if (!prints_colors()) return print_text(text);
+    std::string out;
+    while (!text.empty()) {
+        const std::size_t swatch = swatch_length(text);
+        out += text.substr(0, swatch);
+        text.remove_prefix(swatch);
+        const std::size_t next = swatch > 0 ? 0 : 1;  // an escape character that begins no swatch
+        const std::string_view plain = text.substr(0, text.find('\x1b', next));
+        out += printable_lines(plain);
+        text.remove_prefix(plain.size());
+    }
+    write_out(out);
+}
+
+bool prints_colors() {
+    const char* const no_color = std::getenv("NO_COLOR");
+    return is_terminal(STDOUT_FILENO) && (no_color == nullptr || *no_color == '\0');
+}
 
 void print_json(std::string_view json) {
     std::string out;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // glint versus: renders a scene with two sets of conventions and explains the difference.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -18,7 +17,6 @@
 #include "cli/render_or_fail.h"
 #include "cli/repeated_option.h"
 #include "cli/scene_arguments.h"
-#include "cli/terminal.h"
 #include "cli/text.h"
 #include "image/quantize.h"
 
@@ -215,10 +213,11 @@ int versus_command(VersusArguments& arguments) {
     } else {
         print_text(text_report(report));
         ExplainStyle style;
-        style.colors = is_terminal(STDOUT_FILENO) && std::getenv("NO_COLOR") == nullptr;
+        style.colors = prints_colors();
         if (!same)
-            print_text(fmt::format("\nA: {}\n{}\nB: {}\n{}", a.name, explained(a, inside, style), b.name,
-                                   explained(b, inside, style)));
+            print_text_with_swatches(fmt::format("\nA: {}\n{}\nB: {}\n{}", a.name,
+                                                 explained(a, inside, style), b.name,
+                                                 explained(b, inside, style)));
     }
     if (output)
         write_png(side_by_side(a.image, b.image, difference_image(a.image, b.image).value()), *output);

@@ -96,7 +96,7 @@ const char* GLINT_WASM_EXPORT(glint_check)(GlintScene* scene);
 /// of that call are not those of glint.wasm.
 std::int32_t GLINT_WASM_EXPORT(glint_left_out)();
 
-/// The version, such as "0.2.0".
+/// The version, such as "0.3.0".
 const char* GLINT_WASM_EXPORT(glint_version)();
 
 }  // extern "C"

@@ -283,6 +283,10 @@ TEST_F(CommandLines, DropInsAreLinksInAFolderOfTheUsers) {
     EXPECT_EQ(run_program(folder, {"--version"}, links + "/povray").out,
               "glint-povray (glint " GLINT_VERSION ")\n");
     EXPECT_EQ(install({links}).code, 0) << "again";
+    // One program by several names; by a name that is none of these it is glint.
+    EXPECT_TRUE(fs::equivalent(links + "/povray", GLINT_COMMAND));
+    fs::create_symlink(links + "/tachyon", folder.path("tachyon2"));
+    EXPECT_EQ(run_program(folder, {"--version"}, folder.path("tachyon2")).out, "glint " GLINT_VERSION "\n");
     folder.write("mine/links/other", "");
     EXPECT_EQ(install({"--remove", links}).code, 0);
     EXPECT_FALSE(fs::exists(fs::symlink_status(links + "/tachyon")));

@@ -24,6 +24,23 @@ TEST(Explain, TellsOfAPixel) {
     EXPECT_EQ(folder.count(), 0);
 }
 
+// In a terminal the colors are shown, unless NO_COLOR is set (no-color.org: and not empty).
+TEST(Explain, ShowsColorsInATerminal) {
+    const Folder folder;
+    RunOptions options;
+    options.program = "/usr/bin/script";
+    const auto shown = [&](const std::string& no_color) {
+        const std::string line = no_color + " " GLINT_COMMAND " explain " + k_castle + " -p 320,440";
+        return Process(folder, {"-qec", line, "/dev/null"}, options).finish().out;
+    };
+    const std::string swatch = "bytes        24 36 11  \x1b[48;2;24;36;11m    \x1b[0m";
+    EXPECT_TRUE(contains(shown(""), swatch)) << shown("");
+    EXPECT_TRUE(contains(shown("NO_COLOR="), swatch));
+    const std::string plain = shown("NO_COLOR=1");
+    EXPECT_TRUE(contains(plain, "bytes        24 36 11")) << plain;
+    EXPECT_FALSE(contains(plain, "48;2")) << plain;
+}
+
 TEST(Explain, TheBytesOfTheJsonAreTheFiles) {
     const Folder folder;
     ASSERT_EQ(run(folder, {"render", k_castle, "-s", "80x80", "-o", "c.ppm", "--shading", "phong"}).code, 0);

@@ -39,7 +39,7 @@ light { type = directional  intensity = 0.2  direction = (1, 4, 4) }
 # The end
 )",
                         "folder/two.cgfs"),
-              R"(# Converted from two.cgfs (cgfs) by glint 0.2.0
+              R"(# Converted from two.cgfs (cgfs) by glint )" GLINT_VERSION R"(
 #
 # Two spheres.
 
