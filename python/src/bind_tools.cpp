@@ -7,6 +7,7 @@
 #include "cli/file_policy.h"
 #include "cli/view_argument.h"
 #include "errors.h"
+#include "os/files.h"
 #include "rendering.h"
 #include "scene_state.h"
 #include "world/world.h"
@@ -44,7 +45,7 @@ void load_texts(SceneState& state,
                 const std::string& view, const py::object& progress) {
     std::vector<SceneText> views;
     cli::FileReach reach{.is_confined = includes != "any", .folders = folders};
-    for (const auto& text : texts) reach.folders.push_back(cli::folder_of(std::get<0>(text)));
+    for (const auto& text : texts) reach.folders.push_back(os::folder_of(std::get<0>(text)));
     for (const auto& [name, text, format] : texts) views.push_back({name, text, format});
     LoadOptions options;
     options.scene_name = scene_name;

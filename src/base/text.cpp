@@ -66,6 +66,13 @@ bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xc0) == 
 
 }  // namespace
 
+bool is_absolute_path(std::string_view name) {
+#if defined(_WIN32)
+    if (name.size() > 1 && name[1] == ':') return true;
+#endif
+    return name.starts_with('/');
+}
+
 std::size_t utf8_length(std::string_view text) {
     if (text.empty()) return 0;
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };

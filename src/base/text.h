@@ -39,6 +39,9 @@ std::string one_of(std::span<const std::string_view> words);
 /// "a point", "an ambient": by the first letter.
 std::string with_article(std::string_view word);
 
+/// Whether a file's name does not depend on a folder: "/a"; on Windows "C:/a", too.
+bool is_absolute_path(std::string_view name);
+
 /// Length in bytes of the well-formed UTF-8 character that `text` begins with; 0 if it begins with none.
 std::size_t utf8_length(std::string_view text);
 

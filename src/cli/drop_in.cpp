@@ -45,26 +45,22 @@ int run(const DropInProgram& program, const std::vector<std::string>& arguments)
     }
 }
 
-// The name that the program is called by, without its folder.
-std::string_view called_name(int count, char** values) {
-    if (count < 1) return {};
-    const std::string_view path = values[0];
+// Without its folder and Windows' ending.
+std::string_view program_name(std::string_view path) {
+    if (path.ends_with(".exe")) path.remove_suffix(4);
     return path.substr(path.rfind('/') + 1);
 }
 
 }  // namespace
 
-const DropInProgram* called_drop_in(int count, char** values) {
-    return find_drop_in(called_name(count, values));
-}
+const DropInProgram* called_drop_in(std::string_view called) { return find_drop_in(program_name(called)); }
 
-int run_drop_in(const DropInProgram& program, int count, char** values) {
-    const bool stands = !program.stands_for.empty() && called_name(count, values) == program.stands_for;
+int run_drop_in(const DropInProgram& program, std::string_view called,
+                const std::vector<std::string>& words) {
+    const bool stands = !program.stands_for.empty() && program_name(called) == program.stands_for;
     // Callers read standard output and look at its last line; others see standard error.
     CopiesErrors::set(stands);
-    const int code = run_program(program.name, program.failure, [&] {
-        return run(program, {values + std::min(count, 1), values + count});
-    });
+    const int code = run_program(program.name, program.failure, [&] { return run(program, words); });
     if (!CopiesErrors::get() || code != program.failure) return code;
     fmt::print("{}\n", program.refusal);
     return std::fflush(stdout) == 0 ? k_done : code;

@@ -85,8 +85,8 @@ std::string drop_in_completion(const DropInProgram& program, std::string_view sh
 
 /// The program whose name, or that of the one whose place it takes, the command is called by: links to the
 /// command have these names. Null by any other name.
-const DropInProgram* called_drop_in(int count, char** values);
+const DropInProgram* called_drop_in(std::string_view called);
 /// The whole program: parses, renders, prints messages. Returns the exit code.
-int run_drop_in(const DropInProgram& program, int count, char** values);
+int run_drop_in(const DropInProgram& program, std::string_view called, const std::vector<std::string>& words);
 
 }  // namespace glint::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/drop_in_animation.h"
+#include "os/files.h"
 
 #include <fmt/format.h>
 
@@ -33,20 +34,21 @@ std::vector<DropInFrame> frames_of(const Animation& a, const std::string& output
     // A part that ends before it begins is one frame; frames beyond the last one go on with its clock
     // (measured).
     const long to = std::max(from, a.subset_last ? frame_number(*a.subset_last, first, count) : last);
-    const std::filesystem::path path(output);
+    const std::filesystem::path path = os::to_path(output);
     const std::size_t digits = std::to_string(final).size();
     std::vector<DropInFrame> frames;
     for (long n = from; n <= to; n += std::max(1L, static_cast<long>(a.step))) {
         const std::string name =
-            fmt::format("{}{:0{}}{}", path.stem().string(), n, digits, path.extension().string());
-        frames.push_back({output == "/dev/null" ? output : (path.parent_path() / name).string(),
-                          {{"clock", a.first_clock + delta * static_cast<double>(n - first)},
-                           {"frame_number", static_cast<double>(n)},
-                           {"initial_frame", static_cast<double>(first)},
-                           {"final_frame", static_cast<double>(final)},
-                           {"initial_clock", a.first_clock},
-                           {"final_clock", a.last_clock},
-                           {"clock_delta", delta}}});
+            fmt::format("{}{:0{}}{}", os::to_string(path.stem()), n, digits, os::to_string(path.extension()));
+        frames.push_back(
+            {output == "/dev/null" ? output : os::to_string(path.parent_path() / os::to_path(name)),
+             {{"clock", a.first_clock + delta * static_cast<double>(n - first)},
+              {"frame_number", static_cast<double>(n)},
+              {"initial_frame", static_cast<double>(first)},
+              {"final_frame", static_cast<double>(final)},
+              {"initial_clock", a.first_clock},
+              {"final_clock", a.last_clock},
+              {"clock_delta", delta}}});
     }
     return frames;
 }

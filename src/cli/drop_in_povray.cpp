@@ -14,6 +14,7 @@
 #include "cli/foreign_table.h"
 #include "cli/input_file.h"
 #include "cli/text.h"
+#include "os/files.h"
 
 namespace glint::cli {
 namespace {
@@ -144,7 +145,7 @@ class PovrayArguments {
 
 bool IniFiles::exists(const std::string& path) {
     std::error_code ignored;
-    return std::filesystem::is_regular_file(path, ignored);
+    return std::filesystem::is_regular_file(os::to_path(path), ignored);
 }
 
 std::string IniFiles::read(const std::string& path, bool is_users) {

@@ -12,6 +12,7 @@
 #include "cli/file_policy.h"
 #include "cli/text.h"
 #include "formats/number_text.h"
+#include "os/files.h"
 
 namespace glint::cli {
 namespace {
@@ -37,7 +38,7 @@ void PovrayOptions::warn(const std::string& message) {
 }
 
 PovrayOptions::Namer PovrayOptions::namer() const {
-    return place.is_trusted ? Namer() : Namer{place.text, folder_of(place.file)};
+    return place.is_trusted ? Namer() : Namer{place.text, os::folder_of(place.file)};
 }
 
 void PovrayOptions::set_input(const std::string& name) {

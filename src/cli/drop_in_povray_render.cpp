@@ -12,6 +12,7 @@
 #include "cli/output_file.h"
 #include "cli/picture_endings.h"
 #include "cli/text.h"
+#include "os/files.h"
 
 namespace glint::cli {
 
@@ -80,31 +81,32 @@ void PovrayOptions::check_output(const std::string& path) const {
 std::string PovrayOptions::find_input() {
     const auto is_file = [](const std::string& path) {
         std::error_code ignored;
-        return std::filesystem::exists(path, ignored) && !std::filesystem::is_directory(path, ignored);
+        return os::exists(path) && !std::filesystem::is_directory(os::to_path(path), ignored);
     };
     const std::string given = input_;
     const bool is_bare = extension(given).empty() && given != "-";
     if (is_bare && !is_file(given)) input_ += ".pov";
     if (input_ == "-" || is_file(input_)) return input_;
     for (const std::string& folder : folders_) {
-        std::string path = (std::filesystem::path(folder) / input_).string();
+        std::string path = os::to_string(os::to_path(folder) / os::to_path(input_));
         if (is_file(path)) return path;
     }
     std::error_code ignored;
-    return std::filesystem::is_directory(given, ignored) ? given : input_;  // for the message
+    return std::filesystem::is_directory(os::to_path(given), ignored) ? given : input_;  // for the message
 }
 
 // The names are POV-Ray's (measured): the ending of the file's type is added unless the name has it;
 // without +O the picture is beside the scene.
 std::string PovrayOptions::output_path() const {
     const std::string ending = ending_of(*parsed_.render.numbers.format);
-    const std::filesystem::path scene(input_ == "-" ? "stdin" : input_);
-    const std::string name = stem(scene.string()) + ending;
-    if (output_.empty()) return (scene.parent_path() / name).string();
+    const std::filesystem::path scene = os::to_path(input_ == "-" ? "stdin" : input_);
+    const std::string name = stem(os::to_string(scene)) + ending;
+    if (output_.empty()) return os::to_string(scene.parent_path() / os::to_path(name));
     if (output_ == "-") return output_;
-    if (output_.ends_with('/')) return (std::filesystem::path(output_) / name).string();
+    if (output_.ends_with('/')) return os::to_string(os::to_path(output_) / os::to_path(name));
     std::error_code ignored;
-    if (output_.ends_with(ending) || std::filesystem::is_character_file(output_, ignored)) return output_;
+    if (output_.ends_with(ending) || std::filesystem::is_character_file(os::to_path(output_), ignored))
+        return output_;
     return output_ + (output_.ends_with('.') ? ending.substr(1) : ending);
 }
 

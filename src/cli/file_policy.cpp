@@ -1,27 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/file_policy.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <iterator>
 
+#include "base/text.h"
 #include "formats/povray/standard_includes.h"
 #include "formats/registry.h"
+#include "os/files.h"
 
 namespace glint::cli {
 
 namespace fs = std::filesystem;
-
-std::string folder_of(const std::string& path) {
-    const std::size_t slash = path.rfind('/');
-    return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
-}
 
 std::string reason_of(int error) { return error == ENOENT ? "no such file" : std::strerror(error); }
 
@@ -30,7 +23,7 @@ constexpr int k_max_links = 40;  // as the system has
 // With links followed; empty if that is not possible.
 fs::path followed_path(const std::string& path) {
     std::error_code error;
-    fs::path whole = fs::absolute(path.empty() ? "." : path, error);
+    fs::path whole = fs::absolute(os::to_path(path.empty() ? "." : path), error);
     if (error) return {};
     // weakly_canonical() keeps the name of a link to nothing, which a writer follows.
     for (int links = 0; fs::is_symlink(fs::symlink_status(whole, error)); ++links) {
@@ -54,7 +47,7 @@ bool is_inside(const std::string& path, const std::string& folder) {
 
 // A link with the name of a scene may lead to any file, of which messages would quote lines.
 bool hides_its_type(const std::string& path) {
-    return is_scene_name(path) && !is_scene_name(followed_path(path).string());
+    return is_scene_name(path) && !is_scene_name(os::to_string(followed_path(path)));
 }
 
 NamedFile open_named_file(const std::string& path, const FileReach& reach, std::string& why) {
@@ -69,25 +62,22 @@ NamedFile open_named_file(const std::string& path, const FileReach& reach, std::
         return {};
     }
     // Opening a device may already do something, so it is looked at first.
-    struct stat about {};
-    if (::stat(path.c_str(), &about) != 0) {
+    std::optional<os::FileInfo> about = os::info_of(path);
+    NamedFile file;
+    if (about && about->kind == os::FileKind::regular) {
+        file.descriptor = os::open_regular(path);
+        about = file.descriptor < 0 ? std::nullopt : os::info_of(file.descriptor);
+    }
+    if (!about) {
         why = reason_of(errno);
         return {};
     }
-    NamedFile file;
-    if (S_ISREG(about.st_mode)) {
-        file.descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-        if (file.descriptor < 0 || ::fstat(file.descriptor, &about) != 0) {
-            why = reason_of(errno);
-            return file;
-        }
-    }
-    if (!S_ISREG(about.st_mode)) {  // it may have been replaced
-        if (file.descriptor >= 0) ::close(file.descriptor);
-        why = S_ISDIR(about.st_mode) ? "is a folder, not a regular file" : "not a regular file";
+    if (about->kind != os::FileKind::regular) {  // it may have been replaced
+        if (file.descriptor >= 0) os::close(file.descriptor);
+        why = about->kind == os::FileKind::folder ? "is a folder, not a regular file" : "not a regular file";
         return {};
     }
-    file.size = static_cast<std::size_t>(about.st_size);
+    file.size = static_cast<std::size_t>(about->size);
     return file;
 }
 
@@ -97,9 +87,8 @@ std::optional<std::string> read_named_file(NamedFile file, std::string& why) {
     while (text.size() < file.size) {
         const std::size_t size = text.size();
         text.resize(size + std::min(step, file.size - size));
-        const ssize_t count = ::read(file.descriptor, text.data() + size, text.size() - size);
-        text.resize(size + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
-        if (count < 0 && errno == EINTR) continue;
+        const std::ptrdiff_t count = os::read(file.descriptor, text.data() + size, text.size() - size);
+        text.resize(size + static_cast<std::size_t>(std::max<std::ptrdiff_t>(count, 0)));
         if (count < 0) {
             why = reason_of(errno);
             return std::nullopt;
@@ -114,7 +103,7 @@ std::optional<std::string> read_named_file(const std::string& path, const FileRe
     const NamedFile file = open_named_file(path, reach, why);
     if (file.descriptor < 0) return std::nullopt;
     auto text = read_named_file(file, why);
-    ::close(file.descriptor);
+    os::close(file.descriptor);
     return text;
 }
 
@@ -123,7 +112,7 @@ std::vector<std::string> included_paths(std::string_view name, std::string_view 
     std::vector<std::string> paths{std::string(name)};
     // In a name it would end the path.
     if (name.find('\0') != std::string_view::npos) return {};
-    if (name.starts_with('/')) return paths;
+    if (is_absolute_path(name)) return paths;
     paths.front().insert(0, from.substr(0, from.rfind('/') + 1));
     for (const std::string& folder : folders) paths.push_back(folder + "/" + std::string(name));
     return paths;

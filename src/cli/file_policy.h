@@ -41,9 +41,6 @@ std::optional<std::string> read_named_file(const std::string& path, const FileRe
 std::vector<std::string> included_paths(std::string_view name, std::string_view from,
                                         std::span<const std::string> folders);
 
-/// The folder of a path: "a" of "a/b", "." of "b".
-std::string folder_of(const std::string& path);
-
 /// "no such file", or what the system says.
 std::string reason_of(int error);
 

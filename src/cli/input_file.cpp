@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/input_file.h"
 
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <utility>
 
 #include "cli/failure.h"
 #include "cli/overwriting.h"
 #include "journal/hash.h"
+#include "os/files.h"
 
 namespace glint::cli {
 namespace {
@@ -22,7 +18,7 @@ class Descriptor {
   public:
     explicit Descriptor(int number) : number_(number) {}
     ~Descriptor() {
-        if (number_ > 2) ::close(number_);
+        if (number_ > os::k_standard_error) os::close(number_);
     }
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
@@ -39,9 +35,8 @@ std::string read_all(int descriptor, bool binary, std::string& text) {
         const std::size_t size = text.size();
         if (size >= k_max_read) return "is longer than 1 GiB; only a regular file may be longer";
         text.resize(size + step);
-        const ssize_t count = ::read(descriptor, text.data() + size, step);
+        const std::ptrdiff_t count = os::read(descriptor, text.data() + size, step);
         text.resize(size + static_cast<std::size_t>(count > 0 ? count : 0));
-        if (count < 0 && errno == EINTR) continue;
         if (count < 0) return reason_of(errno);
         // The readers report text that contains NUL, with its place. More input is not needed.
         if (count == 0 || (!binary && text.find('\0', size) != std::string::npos)) return {};
@@ -73,29 +68,27 @@ std::optional<InputFile> InputFile::open_named(const std::string& path, const Fi
 
 bool InputFile::map(int descriptor, std::size_t size) {
     if (size == 0) return false;
-    void* mapped = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
-    if (mapped == MAP_FAILED) return false;
-    mapped_ = mapped;
-    mapped_size_ = size;
-    return true;
+    mapped_ = os::map(descriptor, size);
+    mapped_size_ = mapped_ == nullptr ? 0 : size;
+    return mapped_ != nullptr;
 }
 
 std::optional<InputFile> InputFile::open(const std::string& path, std::string& why, bool binary,
                                          bool is_own) {
-    const Descriptor file(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    struct stat about {};
-    if (file.number() < 0 || ::fstat(file.number(), &about) != 0) {
+    const Descriptor file(path == "-" ? os::k_standard_input : os::open_to_read(path));
+    const std::optional<os::FileInfo> about = file.number() < 0 ? std::nullopt : os::info_of(file.number());
+    if (!about && errno != EISDIR) {
         why = reason_of(errno);
         return std::nullopt;
     }
-    if (S_ISDIR(about.st_mode)) {
+    if (!about || about->kind == os::FileKind::folder) {
         why = "is a folder";
         return std::nullopt;
     }
     if (!is_own) note_input(file.number());
     InputFile input;
-    if (path != "-" && S_ISREG(about.st_mode) &&
-        input.map(file.number(), static_cast<std::size_t>(about.st_size)))
+    if (path != "-" && about->kind == os::FileKind::regular &&
+        input.map(file.number(), static_cast<std::size_t>(about->size)))
         return input;
     why = read_all(file.number(), binary, input.read_);
     if (!why.empty()) return std::nullopt;
@@ -121,7 +114,7 @@ InputFile& InputFile::operator=(InputFile&& other) noexcept {
 }
 
 InputFile::~InputFile() {
-    if (mapped_ != nullptr) ::munmap(mapped_, mapped_size_);
+    if (mapped_ != nullptr) os::unmap(mapped_, mapped_size_);
 }
 
 std::string_view InputFile::text() const {
@@ -129,7 +122,7 @@ std::string_view InputFile::text() const {
 }
 
 void InputFile::release() const {
-    if (mapped_ != nullptr) ::madvise(mapped_, mapped_size_, MADV_DONTNEED);
+    if (mapped_ != nullptr) os::release(mapped_, mapped_size_);
 }
 
 std::optional<InputFile> TextReader::open(const std::string& path, const FileReach& reach, std::string& why) {

@@ -13,6 +13,8 @@
 #include "cli/output_file.h"
 #include "cli/print_error.h"
 #include "cli/print_text.h"
+#include "os/files.h"
+#include "os/process.h"
 
 namespace glint::cli {
 namespace {
@@ -29,7 +31,7 @@ bool is_systems(const fs::path& folder) {
     for (const char* const shared :
          {"/bin", "/boot", "/dev", "/etc", "/lib", "/lib32", "/lib64", "/libx32", "/nix", "/opt", "/proc",
           "/run", "/sbin", "/snap", "/sys", "/usr", "/var"}) {
-        if (folder == shared || is_inside(folder.string(), shared)) return true;
+        if (folder == shared || is_inside(os::to_string(folder), shared)) return true;
     }
     return folder == folder.root_path();
 }
@@ -53,12 +55,12 @@ fs::path link_of(const fs::path& folder, const DropInProgram& program) {
 // A text for a shell's command line.
 std::string in_quotes(const fs::path& folder) {
     std::string quoted = "'";
-    for (const char c : folder.string()) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    for (const char c : os::to_string(folder)) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return quoted + "'";
 }
 
 [[noreturn]] void fail_at(const fs::path& file, const std::string& why) {
-    throw Failure(k_bad_input, fmt::format("{}: {}", file.string(), why));
+    throw Failure(k_bad_input, fmt::format("{}: {}", os::to_string(file), why));
 }
 
 void remove_links(const fs::path& folder) {
@@ -68,28 +70,27 @@ void remove_links(const fs::path& folder) {
         std::error_code failed;
         if (!is_there(link)) continue;
         if (!is_ours(link, *program)) {
-            print_error("glint: {} is left: it is no link to {}\n", link.string(), program->name);
+            print_error("glint: {} is left: it is no link to {}\n", os::to_string(link), program->name);
         } else if (fs::remove(link, failed); failed) {
             fail_at(link, failed.message());
         } else {
-            print_text(fmt::format("removed {}\n", link.string()));
+            print_text(fmt::format("removed {}\n", os::to_string(link)));
             removed = true;
         }
     }
-    if (!removed) print_text(fmt::format("nothing to remove in {}\n", folder.string()));
+    if (!removed) print_text(fmt::format("nothing to remove in {}\n", os::to_string(folder)));
 }
 
 // The running program's folder, which has the others, too.
 fs::path programs_folder() {
-    std::error_code failed;
-    const fs::path self = fs::read_symlink("/proc/self/exe", failed);
-    if (failed) throw Failure(k_bad_input, "the folder of this program is not known: " + failed.message());
+    const fs::path self = os::program();
+    if (self.empty()) throw Failure(k_bad_input, "the folder of this program is not known");
     return self.parent_path();
 }
 
 // The older link stays until the new one takes its place.
 void replace_link(const fs::path& link, const fs::path& target) {
-    const fs::path made = temporary_beside(link.string());
+    const fs::path made = temporary_beside(os::to_string(link));
     std::error_code failed, ignored;
     if (fs::create_symlink(target, made, failed); failed) fail_at(link, failed.message());
     if (fs::rename(made, link, failed); !failed) return;
@@ -111,7 +112,7 @@ void install_links(const fs::path& folder) {
     for (const DropInProgram* program : drop_in_programs()) {
         const fs::path link = link_of(folder, *program), target = programs / program->name;
         replace_link(link, target);
-        print_text(fmt::format("{} -> {}\n", link.string(), target.string()));
+        print_text(fmt::format("{} -> {}\n", os::to_string(link), os::to_string(target)));
     }
     print_text(
         fmt::format("\nPrograms that call povray or tachyon find these if the folder is first in PATH:\n"
@@ -135,13 +136,13 @@ Run add_install_drop_ins(CLI::App& app) {
         "  PATH=~/glint-links:$PATH pymol\n  glint install-drop-ins --remove ~/glint-links");
     return [arguments] {
         std::error_code failed;
-        fs::path folder = fs::absolute(arguments->folder, failed);
+        fs::path folder = fs::absolute(os::to_path(arguments->folder), failed);
         if (!failed) folder = fs::weakly_canonical(folder, failed);
         if (failed) fail_at(arguments->folder, failed.message());
         if (!folder.has_filename()) folder = folder.parent_path();  // a/ is a
         if (is_systems(folder))
             fail_at(folder, "is a folder of the system: choose one of your own, as ~/glint-links");
-        if (folder.string().find(':') != std::string::npos)
+        if (os::to_string(folder).find(':') != std::string::npos)
             fail_at(folder, "has a colon, which separates the folders of PATH");
         if (is_there(folder) && !fs::is_directory(folder, failed)) fail_at(folder, "is no folder");
         arguments->removes ? remove_links(folder) : install_links(folder);

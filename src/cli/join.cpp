@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // glint join: parts of a picture to the picture.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <memory>

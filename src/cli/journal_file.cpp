@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/journal_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -16,6 +12,7 @@
 #include "cli/failure.h"
 #include "cli/file_policy.h"
 #include "cli/output_file.h"
+#include "os/files.h"
 #include "trace/film/assemble.h"
 
 namespace glint::cli {
@@ -29,8 +26,8 @@ JournalFile::JournalFile(std::string path, const JournalHeader& header)
     : path_(std::move(path)), header_(header), synced_(std::chrono::steady_clock::now()) {}
 
 JournalFile::~JournalFile() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-    if (unfinished_) ::unlink(path_.c_str());
+    if (descriptor_ >= 0) os::close(descriptor_);
+    if (unfinished_) os::remove(path_);
 }
 
 void JournalFile::fail(int error) const {
@@ -39,7 +36,7 @@ void JournalFile::fail(int error) const {
 }
 
 void JournalFile::lock() {
-    if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;
+    if (os::lock(descriptor_)) return;
     if (errno == EWOULDBLOCK)
         throw Failure(k_bad_input,
                       fmt::format("the journal {} is in use by another process", glint::quoted(path_)));
@@ -49,14 +46,14 @@ void JournalFile::lock() {
 std::unique_ptr<JournalFile> JournalFile::resume(const std::string& path, const JournalHeader& header) {
     std::unique_ptr<JournalFile> file(new JournalFile(path, header));
     for (;;) {
-        file->descriptor_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+        file->descriptor_ = os::open_or_make(path);
         if (file->descriptor_ < 0) file->fail(errno);
         file->lock();
         // The process that had the lock may have finished and removed the file since it was opened here.
-        struct stat about {};
-        if (::fstat(file->descriptor_, &about) != 0) file->fail(errno);
-        if (about.st_nlink > 0) break;
-        ::close(std::exchange(file->descriptor_, -1));
+        const auto about = os::info_of(file->descriptor_);
+        if (!about) file->fail(errno);
+        if (about->has_name) break;
+        os::close(std::exchange(file->descriptor_, -1));
     }
     file->start();
     return file;
@@ -65,7 +62,7 @@ std::unique_ptr<JournalFile> JournalFile::resume(const std::string& path, const 
 std::unique_ptr<JournalFile> JournalFile::begin(const std::string& target, const JournalHeader& header) {
     std::unique_ptr<JournalFile> file(new JournalFile(temporary_beside(target), header));
     file->unfinished_.emplace(file->path_);
-    file->descriptor_ = ::open(file->path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    file->descriptor_ = os::open_new(file->path_);
     if (file->descriptor_ < 0) file->fail(errno);
     file->lock();
     file->start();
@@ -105,33 +102,26 @@ std::size_t JournalFile::read_tiles() {
 
 // Cuts off a record that is not whole, and writes the header if there is none.
 void JournalFile::start() {
-    struct stat about {};
-    if (::fstat(descriptor_, &about) != 0) fail(errno);
-    if (!S_ISREG(about.st_mode))
+    const auto about = os::info_of(descriptor_);
+    if (!about) fail(errno);
+    if (about->kind != os::FileKind::regular)
         throw Failure(k_bad_input, fmt::format("the journal {} is no regular file", glint::quoted(path_)));
     missing_ = tiles_of_part(header_);
     expected_ = missing_.size();
-    const std::size_t kept = about.st_size > 0 ? read_tiles() : 0;
-    if (::ftruncate(descriptor_, static_cast<off_t>(kept)) != 0 ||
-        ::lseek(descriptor_, static_cast<off_t>(kept), SEEK_SET) < 0)
-        fail(errno);
+    const std::size_t kept = about->size > 0 ? read_tiles() : 0;
+    if (!os::resize(descriptor_, kept) || !os::seek(descriptor_, kept)) fail(errno);
     if (kept > 0) return;
     write(header_bytes(header_));
     sync();
-    sync_folder(folder_of(path_));
+    os::sync_folder(os::folder_of(path_));
 }
 
 void JournalFile::write(std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) fail(errno);
-        bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
+    if (!os::write(descriptor_, bytes.data(), bytes.size())) fail(errno);
 }
 
 void JournalFile::sync() {
-    if (::fdatasync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail(errno);  // not all can
+    if (!os::sync(descriptor_)) fail(errno);
     synced_ = std::chrono::steady_clock::now();
 }
 
@@ -152,13 +142,13 @@ JournalInput JournalFile::read() const {
 
 void JournalFile::move_to(const std::string& target) {
     sync();
-    if (::rename(path_.c_str(), target.c_str()) != 0) fail(errno);
+    if (!os::replace(path_, target)) fail(errno);
     unfinished_.reset();
-    sync_folder(folder_of(target));
+    os::sync_folder(os::folder_of(target));
 }
 
 void JournalFile::remove() {
-    ::unlink(path_.c_str());
+    os::remove(path_);
     unfinished_.reset();
 }
 

@@ -15,6 +15,7 @@
 #include "cli/foreign_flags.h"
 #include "cli/print_error.h"
 #include "cli/program.h"
+#include "os/process.h"
 
 namespace glint::cli {
 namespace {
@@ -43,6 +44,7 @@ int run(const std::vector<std::string>& arguments) {
     if (arguments == std::vector<std::string>{"-v"}) return run({"--version"});
     CLI::App app("glint renders scenes with Phong and Blinn-Phong lighting, shadows, mirrors and glass.",
                  "glint");
+    app.allow_windows_style_options(false);  // CLI11's default on Windows: /a.json would be an option
     app.set_version_flag("-V,--version", k_version, "Print the version and exit");
     std::string footer = "Every command has --help.\n\nExit codes:\n";
     for (const auto& [code, meaning] : k_exit_codes) footer += fmt::format("  {:<26}{}\n", code, meaning);
@@ -112,9 +114,9 @@ int run(const std::vector<std::string>& arguments) {
 
 int main(int count, char** values) {
     using namespace glint::cli;
-    if (const DropInProgram* program = called_drop_in(count, values))
-        return run_drop_in(*program, count, values);
-    return run_program("glint", k_bad_input, [&] {
-        return run({values + std::min(count, 1), values + count});
-    });
+    std::vector<std::string> words = glint::os::arguments(count, values);
+    const std::string called = words.empty() ? "glint" : words.front();
+    if (!words.empty()) words.erase(words.begin());
+    if (const DropInProgram* program = called_drop_in(called)) return run_drop_in(*program, called, words);
+    return run_program("glint", k_bad_input, [&] { return run(words); });
 }

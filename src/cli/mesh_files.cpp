@@ -12,6 +12,7 @@
 #include "cli/text.h"
 #include "formats/mesh_file.h"
 #include "glint/write.h"
+#include "os/files.h"
 
 namespace glint::cli {
 namespace {
@@ -22,9 +23,9 @@ constexpr std::size_t k_readable_triangles = 200;
 // Relative to the folder of `output`, with `/` between folders.
 std::string name_from(const std::string& output, const std::string& file) {
     std::error_code failed;
-    const std::filesystem::path folder = std::filesystem::absolute(output, failed).parent_path();
-    const std::filesystem::path relative = std::filesystem::relative(file, folder, failed);
-    return failed || relative.empty() ? file : relative.generic_string();
+    const std::filesystem::path folder = std::filesystem::absolute(os::to_path(output), failed).parent_path();
+    const std::filesystem::path relative = std::filesystem::relative(os::to_path(file), folder, failed);
+    return failed || relative.empty() ? file : os::to_string(relative);
 }
 
 struct NewFile {
@@ -39,7 +40,7 @@ std::vector<std::string> known_mesh_files(const Scene& scene, const std::string&
     for (std::string& name : names) {
         // Not standard input, nor a file of an include path, nor one whose name says another format.
         std::error_code failed;
-        if (!format.empty() || !std::filesystem::is_regular_file(name, failed)) name.clear();
+        if (!format.empty() || !std::filesystem::is_regular_file(os::to_path(name), failed)) name.clear();
     }
     return names;
 }
@@ -61,7 +62,7 @@ std::vector<std::string> write_mesh_files(const Scene& scene, const std::string&
         if (!ply) continue;  // into the text
         const std::string path = fmt::format("{}-{}.ply", stem, files.size() + 1);
         std::error_code failed;
-        if (std::filesystem::exists(path, failed) && !std::filesystem::exists(target, failed)) {
+        if (os::exists(path) && !os::exists(target)) {
             throw Failure(k_usage,
                           fmt::format("'{}' would be overwritten, and is not of an earlier conversion: "
                                       "choose another OUT",

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/output_file.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -16,8 +13,9 @@
 #include "cli/file_policy.h"
 #include "cli/interrupt.h"
 #include "cli/overwriting.h"
-#include "cli/program.h"
 #include "image/memory_file.h"
+#include "os/files.h"
+#include "os/process.h"
 
 namespace glint::cli {
 namespace {
@@ -26,29 +24,15 @@ namespace {
     throw Failure(k_bad_input, fmt::format("cannot write '{}': {}", path, std::strerror(error)));
 }
 
-// Returns 0 or errno.
-int write_all(int descriptor, std::span<const std::uint8_t> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return errno;
-        bytes = bytes.subspan(static_cast<std::size_t>(count));
-    }
-    return 0;
+bool write_all(int descriptor, std::span<const std::uint8_t> bytes) {
+    return os::write(descriptor, reinterpret_cast<const char*>(bytes.data()), bytes.size());
 }
 
 }  // namespace
 
 std::string temporary_beside(const std::string& target) {
     std::random_device random;  // process numbers are not unique if machines share a folder
-    return fmt::format("{}/.glint-{:08x}{:08x}.tmp", folder_of(target), random(), random());
-}
-
-void sync_folder(const std::string& folder) {
-    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0) return;
-    ::fsync(descriptor);  // not all file systems can
-    ::close(descriptor);
+    return fmt::format("{}/.glint-{:08x}{:08x}.tmp", os::folder_of(target), random(), random());
 }
 
 bool is_standard_output(const std::string& path) {
@@ -58,27 +42,26 @@ bool is_standard_output(const std::string& path) {
 OutputFile::OutputFile(const std::string& option, std::string path) : path_(std::move(path)), target_(path_) {
     standard_output_ = cli::is_standard_output(path_);
     if (standard_output_) note_standard_output(option);
-    struct stat about {};
-    const bool exists = !standard_output_ && ::stat(path_.c_str(), &about) == 0;
-    if (exists && S_ISDIR(about.st_mode)) {
+    const auto about = standard_output_ ? std::nullopt : os::info_of(path_);
+    if (about && about->kind == os::FileKind::folder) {
         throw Failure(k_bad_input, fmt::format("cannot write '{}': is a folder", path_));
     }
-    direct_ = standard_output_ || (exists && !S_ISREG(about.st_mode));
+    direct_ = standard_output_ || (about && about->kind != os::FileKind::regular);
     if (direct_) return;
-    if (!exists && errno == ELOOP) fail(path_, errno);
+    if (!about && errno == ELOOP) fail(path_, errno);
     // The file that a link names is replaced or made, not the link.
-    struct stat link {};
-    if (exists || (::lstat(path_.c_str(), &link) == 0 && S_ISLNK(link.st_mode))) target_ = followed(path_);
-    if (exists && ::access(target_.c_str(), W_OK) != 0) fail(path_, errno);
-    const std::string folder = folder_of(target_);
-    if (::stat(folder.c_str(), &about) != 0) {
+    if (about || os::is_link(path_)) target_ = os::to_string(followed(path_));
+    if (about && !os::is_writable(target_)) fail(path_, errno);
+    const std::string folder = os::folder_of(target_);
+    const auto about_folder = os::info_of(folder);
+    if (!about_folder) {
         if (errno != ENOENT) fail(path_, errno);
         throw Failure(k_bad_input, fmt::format("cannot write '{}': there is no folder '{}'", path_, folder));
     }
-    if (!S_ISDIR(about.st_mode)) {
+    if (about_folder->kind != os::FileKind::folder) {
         throw Failure(k_bad_input, fmt::format("cannot write '{}': '{}' is not a folder", path_, folder));
     }
-    if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+    if (!os::is_writable_folder(folder)) {
         throw Failure(k_bad_input,
                       fmt::format("cannot write '{}': folder '{}': {}", path_, folder, std::strerror(errno)));
     }
@@ -93,15 +76,14 @@ class OutputFile::Replacement : public FileInProgress {
           target_(file.target_),
           temporary_(temporary_beside(target_)),
           unfinished_(temporary_) {
-        descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        descriptor_ = os::open_new(temporary_);
         if (descriptor_ < 0) fail(path_, errno);
-        struct stat old {};
-        if (::stat(target_.c_str(), &old) == 0) ::fchmod(descriptor_, old.st_mode & 07777);
+        os::copy_permissions(target_, descriptor_);
     }
     ~Replacement() override {
         if (descriptor_ < 0) return;
-        ::close(descriptor_);
-        ::unlink(temporary_.c_str());
+        os::close(descriptor_);
+        os::remove(temporary_);
     }
     Replacement(const Replacement&) = delete;
     Replacement& operator=(const Replacement&) = delete;
@@ -118,19 +100,18 @@ class OutputFile::Replacement : public FileInProgress {
     std::uint64_t position() const override { return written_ + buffer_.size(); }
     void seek(std::uint64_t position) override {
         flush();
-        if (::lseek(descriptor_, static_cast<off_t>(position), SEEK_SET) < 0) fail(path_, errno);
+        if (!os::seek(descriptor_, position)) fail(path_, errno);
         written_ = position;
     }
     void commit(bool durable) override {
         flush();
-        if (durable && ::fsync(descriptor_) != 0) fail(path_, errno);
-        int error = ::close(std::exchange(descriptor_, -1)) != 0 ? errno : 0;
-        if (error == 0 && ::rename(temporary_.c_str(), target_.c_str()) != 0) error = errno;
-        if (error != 0) {
-            ::unlink(temporary_.c_str());
+        if (durable && !os::sync(descriptor_)) fail(path_, errno);
+        if (!os::close(std::exchange(descriptor_, -1)) || !os::replace(temporary_, target_)) {
+            const int error = errno;
+            os::remove(temporary_);
             fail(path_, error);
         }
-        if (durable) sync_folder(folder_of(target_));
+        if (durable) os::sync_folder(os::folder_of(target_));
     }
 
   private:
@@ -139,7 +120,7 @@ class OutputFile::Replacement : public FileInProgress {
         buffer_.clear();
     }
     void write_now(std::span<const std::uint8_t> bytes) {
-        if (const int error = write_all(descriptor_, bytes); error != 0) fail(path_, error);
+        if (!write_all(descriptor_, bytes)) fail(path_, errno);
         written_ += bytes.size();
     }
 
@@ -178,11 +159,11 @@ void OutputFile::write(std::span<const std::uint8_t> bytes) const {
 }
 
 void OutputFile::write_directly(std::span<const std::uint8_t> bytes) const {
-    const int descriptor = standard_output_ ? STDOUT_FILENO : ::open(target_.c_str(), O_WRONLY | O_CLOEXEC);
+    const int descriptor = standard_output_ ? os::k_standard_output : os::open_to_write(target_);
     if (descriptor < 0) fail(path_, errno);
-    int error = write_all(descriptor, bytes);
-    if (!standard_output_ && ::close(descriptor) != 0 && error == 0) error = errno;
-    if (error == EPIPE && standard_output_) end_by_broken_pipe();
+    int error = write_all(descriptor, bytes) ? 0 : errno;
+    if (!standard_output_ && !os::close(descriptor) && error == 0) error = errno;
+    if (error == EPIPE && standard_output_) os::end_by_broken_pipe();
     if (error != 0) fail(path_, error);
 }
 

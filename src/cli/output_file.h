@@ -50,7 +50,4 @@ class OutputFile {
 /// A name for a temporary file in the folder of `target`, which no other process uses.
 std::string temporary_beside(const std::string& target);
 
-/// Makes the names of a folder's files survive a loss of power.
-void sync_folder(const std::string& folder);
-
 }  // namespace glint::cli

@@ -2,8 +2,6 @@
 #include "cli/overwriting.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -11,33 +9,29 @@
 #include <vector>
 
 #include "cli/failure.h"
+#include "os/files.h"
 
 namespace glint::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Identifies a file under all its names: hard and symbolic links.
-struct Identity {
-    dev_t device;
-    ino_t number;
-    bool operator==(const Identity&) const = default;
-};
+using os::FileIdentity;
 
-std::optional<Identity> identity(const struct stat& about) {
-    if (!S_ISREG(about.st_mode)) return std::nullopt;  // pipes and devices cannot be overwritten
-    return Identity{about.st_dev, about.st_ino};
+std::optional<FileIdentity> identity(const os::FileInfo& about) {
+    if (about.kind != os::FileKind::regular) return std::nullopt;  // pipes and devices cannot be overwritten
+    return about.identity;
 }
 
 struct Output {
     std::string option, path;
-    std::optional<Identity> file;  // of a regular file that is there already
-    fs::path whole;                // with links followed
+    std::optional<FileIdentity> file;  // of a regular file that is there already
+    fs::path whole;                    // with links followed
 };
 
 // Global: the inputs and outputs of a command are spread over its options, its scene's includes and more.
 struct Noted {
-    std::vector<Identity> inputs;
+    std::vector<FileIdentity> inputs;
     std::vector<Output> outputs;
     std::string standard_output;  // the option that uses it
 };
@@ -69,7 +63,7 @@ void add_output(Output output) {
 fs::path followed(const std::string& path) {
     constexpr int most_links = 40;  // as the kernel: more are a circle
     std::error_code error;
-    fs::path at = fs::absolute(path, error);
+    fs::path at = fs::absolute(os::to_path(path), error);
     for (int i = 0; i < most_links && fs::is_symlink(fs::symlink_status(at, error)); ++i) {
         const fs::path target = fs::read_symlink(at, error);
         if (error) break;
@@ -81,9 +75,8 @@ fs::path followed(const std::string& path) {
 
 void note_output(const std::string& option, const std::string& path) {
     Output output{option, path, {}, {}};
-    struct stat about {};
-    if (::stat(path.c_str(), &about) == 0) {
-        output.file = identity(about);
+    if (const auto about = os::info_of(path)) {
+        output.file = identity(*about);
         if (!output.file) return;
     }
     output.whole = followed(path);
@@ -95,15 +88,15 @@ void note_standard_output(const std::string& option) {
     if (!taken.empty())
         throw Failure(k_usage, fmt::format("{} and {} cannot both go to standard output", taken, option));
     taken = option;
-    struct stat about {};  // a shell may redirect it to a file
-    if (::fstat(STDOUT_FILENO, &about) != 0) return;
-    if (const auto file = identity(about)) add_output({option, "standard output", file, {}});
+    const auto about = os::info_of(os::k_standard_output);  // a shell may redirect it to a file
+    if (!about) return;
+    if (const auto file = identity(*about)) add_output({option, "standard output", file, {}});
 }
 
 void note_input(int descriptor) {
-    struct stat about {};
-    if (::fstat(descriptor, &about) != 0) return;
-    const auto file = identity(about);
+    const auto about = os::info_of(descriptor);
+    if (!about) return;
+    const auto file = identity(*about);
     if (!file) return;
     for (const Output& output : noted().outputs) {
         if (output.file == file) refuse(output);

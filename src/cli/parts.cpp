@@ -2,7 +2,6 @@
 #include "cli/parts.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <charconv>
@@ -10,6 +9,7 @@
 #include "base/text.h"
 #include "cli/failure.h"
 #include "cli/picture_output.h"
+#include "os/files.h"
 
 namespace glint::cli {
 
@@ -40,9 +40,9 @@ OutputFile tiles_output(const std::string& path, bool shows) {
 }
 
 bool has_all_tiles(const std::string& path, const JournalHeader& header) {
-    struct stat about {};
     std::string why;
-    if (::stat(path.c_str(), &about) != 0 || !S_ISREG(about.st_mode)) return false;
+    const auto about = os::info_of(path);
+    if (!about || about->kind != os::FileKind::regular) return false;
     auto file = InputFile::open_own(path, why);
     if (!file) return false;
     const Result<JournalInput> input = read_journal(path, std::move(*file));

@@ -2,7 +2,6 @@
 #include "cli/picture_arguments.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -11,14 +10,14 @@
 #include "cli/failure.h"
 #include "cli/text.h"
 #include "cli/validators.h"
+#include "os/process.h"
 
 namespace glint::cli {
 namespace {
 
 // The memory that this process may use: the machine's, or less if the container limits it.
 double memory_limit() {
-    double limit =
-        static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
+    double limit = os::physical_memory();
     for (const char* rule : {"/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes"}) {
         double bytes = 0;
         if (std::ifstream(rule) >> bytes && bytes > 0 && bytes < limit) limit = bytes;

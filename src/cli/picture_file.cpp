@@ -10,6 +10,7 @@
 #include "cli/failure.h"
 #include "cli/file_policy.h"
 #include "cli/input_file.h"
+#include "os/files.h"
 
 namespace glint::cli {
 
@@ -46,7 +47,8 @@ DecodedImage read_picture(const std::string& path) {
 
 Result<DecodedImage> try_handed_in(const std::string& path) {
     std::string why;
-    const auto file = InputFile::open_named(path, {.is_confined = true, .folders = {folder_of(path)}}, why);
+    const auto file =
+        InputFile::open_named(path, {.is_confined = true, .folders = {os::folder_of(path)}}, why);
     return decode_file(file, std::move(why), [](ByteSpan bytes) { return decode(bytes); });
 }
 

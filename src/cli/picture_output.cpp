@@ -2,7 +2,6 @@
 #include "cli/picture_output.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <utility>
@@ -10,8 +9,9 @@
 #include "cli/clock.h"
 #include "cli/failure.h"
 #include "cli/picture_endings.h"
-#include "cli/terminal.h"
 #include "cli/text.h"
+#include "os/files.h"
+#include "os/process.h"
 
 namespace glint::cli {
 namespace {
@@ -84,7 +84,7 @@ PictureDestination picture_destination(const std::string& path, const NumberArgu
     const FileFormat format = format_of(path, file, numbers);
     if (file.is_standard_output()) {
         if (shows) throw Failure(k_usage, "--show and the picture cannot both go to standard output");
-        if (is_terminal(STDOUT_FILENO))
+        if (os::is_terminal(os::k_standard_output))
             throw Failure(k_usage, "standard output is a terminal: redirect it to a file, or use --show");
     }
     return {path, file, numbers, format};

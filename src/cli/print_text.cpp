@@ -2,14 +2,14 @@
 #include "cli/print_text.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 
 #include "base/text.h"
-#include "cli/terminal.h"
+#include "os/files.h"
+#include "os/process.h"
 
 namespace glint::cli {
 namespace {
@@ -56,7 +56,7 @@ void print_text_with_swatches(std::string_view text) {
 
 bool prints_colors() {
     const char* const no_color = std::getenv("NO_COLOR");
-    return is_terminal(STDOUT_FILENO) && (no_color == nullptr || *no_color == '\0');
+    return os::is_terminal(os::k_standard_output) && (no_color == nullptr || *no_color == '\0');
 }
 
 void print_json(std::string_view json) {

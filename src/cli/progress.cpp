@@ -2,7 +2,6 @@
 #include "cli/progress.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +9,8 @@
 
 #include "cli/interrupt.h"
 #include "cli/print_error.h"
-#include "cli/terminal.h"
+#include "os/files.h"
+#include "os/process.h"
 
 namespace glint::cli {
 
@@ -31,7 +31,7 @@ std::string time_left(double fraction, double seconds_so_far) {
 
 ProgressBar::ProgressBar(bool wanted, Clock::time_point (*now)())
     : wanted_(wanted),
-      redraws_(can_redraw(STDERR_FILENO)),
+      redraws_(os::can_redraw(os::k_standard_error)),
       now_(now),
       start_(now()),
       next_(start_ + (redraws_ ? Clock::duration(k_first_bar) : Clock::duration(k_next_line))) {}
@@ -55,7 +55,7 @@ void ProgressBar::update(double fraction) {
         set_progress_shown(true);
         // Some terminals wrap the line when the last column is used.
         fmt::print(stderr, "\r{}\x1b[K",
-                   progress_text(fraction, seconds, terminal_columns(STDERR_FILENO) - 1));
+                   progress_text(fraction, seconds, os::terminal_columns(os::k_standard_error) - 1));
     } else {
         next_ = now + k_next_line;
         print_error("glint: {:.0f}%{}\n", 100 * fraction, time_left(fraction, seconds));

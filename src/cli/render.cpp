@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // glint render: renders a scene to a picture file.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <memory>
 
@@ -19,8 +18,9 @@
 #include "cli/render_output.h"
 #include "cli/render_report.h"
 #include "cli/submissions.h"
-#include "cli/terminal.h"
 #include "cli/text.h"
+#include "os/files.h"
+#include "os/process.h"
 #include "world/prepare.h"
 
 namespace glint::cli {
@@ -145,7 +145,8 @@ int render_command(RenderArguments& arguments, const RenderHooks& hooks) {
     times.encode = output->write(result);
     if (plan->stats) plan->stats->write(bytes_of(stats_text(result, times)));
     if (arguments.show)
-        fmt::print("{}", half_blocks(result.image, terminal_columns(STDOUT_FILENO), plan->picture->rule()));
+        fmt::print("{}", half_blocks(result.image, os::terminal_columns(os::k_standard_output),
+                                     plan->picture->rule()));
     print_result(arguments, plan->path, plan->size_text(), result, times, seconds_since(start),
                  loaded.warnings);
     return k_done;

@@ -2,19 +2,17 @@
 #include "cli/render_report.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <nlohmann/json.hpp>
 
 #include "cli/failure.h"
 #include "cli/print_error.h"
 #include "cli/text.h"
+#include "os/process.h"
 
 namespace glint::cli {
 
 std::string stats_text(const Rendering& rendering, const Times& times) {
-    rusage usage{};
-    ::getrusage(RUSAGE_SELF, &usage);
     nlohmann::ordered_json stats = {
         {"load_s", times.load},
         {"prepare_s", times.prepare},
@@ -28,7 +26,7 @@ std::string stats_text(const Rendering& rendering, const Times& times) {
           {"mirror", rendering.rays.mirror},
           {"transmitted", rendering.rays.transmitted},
           {"cut", rendering.rays.cut}}},
-        {"peak_rss_bytes", std::uint64_t(usage.ru_maxrss) * 1024},
+        {"peak_rss_bytes", os::peak_memory()},
     };
     return stats.dump(2) + "\n";
 }

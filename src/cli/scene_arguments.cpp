@@ -17,6 +17,7 @@
 #include "cli/view_argument.h"
 #include "formats/load_validated.h"
 #include "formats/registry.h"
+#include "os/files.h"
 
 namespace glint::cli {
 namespace {
@@ -124,7 +125,7 @@ void add_convention_arguments(CLI::App& command, SceneArguments& arguments) {
 
 FileReach reach_of_includes(const SceneArguments& arguments) {
     FileReach reach{.is_confined = arguments.is_confined, .folders = arguments.include_paths};
-    for (const std::string& file : arguments.files) reach.folders.push_back(folder_of(file));
+    for (const std::string& file : arguments.files) reach.folders.push_back(os::folder_of(file));
     return reach;
 }
 

@@ -2,7 +2,6 @@
 #include "cli/submissions.h"
 
 #include <fmt/format.h>
-#include <fnmatch.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -10,6 +9,7 @@
 
 #include "cli/failure.h"
 #include "cli/text.h"
+#include "os/files.h"
 
 namespace glint::cli {
 namespace {
@@ -39,9 +39,9 @@ bool is_hidden(const std::string& name) { return name.starts_with('.') || name.s
 Listing list(const std::string& folder) {
     Listing found;
     std::error_code error;
-    fs::directory_iterator at(folder, error);
+    fs::directory_iterator at(os::to_path(folder), error);
     for (; !error && at != fs::directory_iterator(); at.increment(error)) {
-        const std::string name = at->path().filename().string(), path = at->path().string();
+        const std::string name = os::to_string(at->path().filename()), path = os::to_string(at->path());
         if (is_hidden(name)) continue;
         std::error_code unknown;
         const auto add = [&](Kind kind, std::string fault) {
@@ -148,13 +148,14 @@ std::vector<Submission> list_folders(const std::string& folder) {
                 found.push_back({entry.name, entry.path, folder_fault(entry.error)});
         }
     }
-    if (found.empty()) found.push_back({fs::path(folder).lexically_normal().filename().string(), folder, {}});
+    if (found.empty())
+        found.push_back({os::to_string(os::to_path(folder).lexically_normal().filename()), folder, {}});
     if (found.front().name.empty() || found.front().name == ".") found.front().name = folder;
     return found;
 }
 
 bool is_match(const std::string& name, const std::string& pattern) {
-    return !is_hidden(name) && ::fnmatch(pattern.c_str(), name.c_str(), FNM_CASEFOLD) == 0;
+    return !is_hidden(name) && os::matches(name, pattern);
 }
 
 FoundFile find_file(const Submission& submission, const std::string& pattern) {

@@ -2,7 +2,6 @@
 #include "cli/usage.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <string_view>
@@ -12,6 +11,7 @@
 #include "cli/commands.h"
 #include "cli/text.h"
 #include "glint/glint.h"
+#include "os/files.h"
 
 namespace glint::cli {
 namespace {
@@ -142,7 +142,7 @@ std::string command_message(const CLI::App& app, std::span<const std::string> ar
     const std::string& word = arguments.front();
     if (word != "-" && word.starts_with('-')) return option_message(app, arguments);
     const std::string ending = extension(word);
-    bool is_scene = word == "-" || ::access(word.c_str(), F_OK) == 0;
+    bool is_scene = word == "-" || os::exists(word);
     for (const FormatInfo& format : formats()) {
         is_scene = is_scene ||
                    (!ending.empty() &&

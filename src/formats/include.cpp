@@ -101,7 +101,7 @@ class Include {
 
     // The name as used by FileSources and messages: relative to the including text.
     std::string path_of(const std::string& name) const {
-        if (name.starts_with('/')) return name;
+        if (is_absolute_path(name)) return name;
         return std::string(from_.place.name.substr(0, from_.place.name.rfind('/') + 1)) + name;
     }
 

@@ -26,6 +26,13 @@ struct Finished {
     std::string out, err;
 };
 
+/// The command of the build; GLINT_TEST_COMMAND names another, as one for Windows that wine runs
+/// (tests/windows).
+inline std::string tested_command() {
+    const char* other = std::getenv("GLINT_TEST_COMMAND");
+    return other != nullptr ? other : GLINT_COMMAND;
+}
+
 struct RunOptions {
     std::string input;            ///< standard input
     long largest_file = -1;       ///< bytes that a file may grow to: a full disk
@@ -33,7 +40,7 @@ struct RunOptions {
     std::string error_path{};     ///< standard error goes to this file instead
     bool reader_is_gone = false;  ///< nobody reads the pipe that is standard output
     long most_memory = -1;        ///< bytes of address space
-    std::string program = GLINT_COMMAND;
+    std::string program = tested_command();
 };
 
 /// A temporary folder; the destructor removes it.

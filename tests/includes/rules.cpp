@@ -16,7 +16,7 @@ Names all_but(const Names& removed) {
     for (const std::string_view name :
          {"base",  "math",    "simd",   "scene",   "formats", "geometry", "lighting",
           "bvh",   "world",   "trace",  "explain", "check",   "compare",  "grade",
-          "image", "journal", "output", "cli",     "mpi",     "wasm"}) {
+          "image", "journal", "output", "os",      "cli",     "mpi",      "wasm"}) {
         if (!removed.contains(name)) names.insert(name);
     }
     return names;
@@ -80,24 +80,24 @@ const std::vector<Module>& modules() {
         {"scene", {"base", "math"}, {"fmt/", "fast_float/"}},
         {"formats", {"base", "math", "scene"}, {"fmt/", "fast_float/"}},
         {"world",
-         all_but({"trace", "explain", "check", "compare", "grade", "image", "journal", "output", "cli", "mpi",
-                  "wasm"}),
+         all_but({"trace", "explain", "check", "compare", "grade", "image", "journal", "output", "os", "cli",
+                  "mpi", "wasm"}),
          {"fmt/"}},
         {"trace",
-         all_but(
-             {"explain", "check", "compare", "grade", "image", "journal", "output", "cli", "mpi", "wasm"}),
+         all_but({"explain", "check", "compare", "grade", "image", "journal", "output", "os", "cli", "mpi",
+                  "wasm"}),
          {"fmt/"}},
         {"explain",
-         all_but({"check", "compare", "grade", "image", "journal", "output", "cli", "mpi", "wasm"}),
+         all_but({"check", "compare", "grade", "image", "journal", "output", "os", "cli", "mpi", "wasm"}),
          {"fmt/", "fast_float/", "nlohmann/"}},
         {"check",
-         all_but({"explain", "compare", "grade", "image", "journal", "output", "cli", "mpi", "wasm"}),
+         all_but({"explain", "compare", "grade", "image", "journal", "output", "os", "cli", "mpi", "wasm"}),
          {"fmt/", "fast_float/", "nlohmann/"}},
         {"compare",
-         all_but({"explain", "check", "grade", "journal", "output", "cli", "mpi", "wasm"}),
+         all_but({"explain", "check", "grade", "journal", "output", "os", "cli", "mpi", "wasm"}),
          {"fmt/", "fast_float/", "nlohmann/"}},
         {"grade",
-         all_but({"explain", "check", "journal", "output", "cli", "mpi", "wasm"}),
+         all_but({"explain", "check", "journal", "output", "os", "cli", "mpi", "wasm"}),
          {"fmt/", "fast_float/", "nlohmann/"}},
         {"image",
          {"base", "math"},
@@ -105,13 +105,14 @@ const std::vector<Module>& modules() {
          false},
         {"journal", {"base"}, {"fmt/", "zlib.h", "xxhash.h"}, false},
         {"output", {"base", "trace", "image", "journal"}, {}, false},
-        {"cli",
-         all_but({"mpi", "wasm"}),
-         {"fmt/", "nlohmann/", "CLI/", "sys/", "unistd.h", "fcntl.h", "fnmatch.h", "csignal", "poll.h",
-          "signal.h", "termios.h"},
+        {"cli", all_but({"mpi", "wasm"}), {"fmt/", "nlohmann/", "CLI/"}, false},
+        {"os",
+         {},
+         {"sys/", "unistd.h", "fcntl.h", "fnmatch.h", "poll.h", "signal.h", "windows.h", "psapi.h",
+          "shellapi.h", "io.h"},
          false},
         {"mpi", all_but({"wasm"}), {"fmt/", "CLI/", "mpi.h"}, false},
-        {"wasm", all_but({"journal", "output", "cli", "mpi"}), {"fmt/", "nlohmann/"}},
+        {"wasm", all_but({"journal", "output", "os", "cli", "mpi"}), {"fmt/", "nlohmann/"}},
     };
     return list;
 }

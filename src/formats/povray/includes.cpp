@@ -30,7 +30,7 @@ void DirectiveParser::read_include(const Token& at) {
 // Texts of one folder: the names of POV-Ray's includes have no folder.
 std::string DirectiveParser::path_of(const std::string& name) {
     const std::string_view from = text().place.name;
-    return name.starts_with('/') ? name : std::string(from.substr(0, from.rfind('/') + 1)) + name;
+    return is_absolute_path(name) ? name : std::string(from.substr(0, from.rfind('/') + 1)) + name;
 }
 
 // The text of a name: a file's, or glint's own.
