@@ -3,7 +3,7 @@
 PREFIX ?= /usr/local
 glint = build/release/glint
 
-.PHONY: help deps demo test test-all test-aarch64 test-blender test-mpi test-node test-peers test-python blender build install uninstall release web playground site tidy fuzz bench format generated clean
+.PHONY: help deps demo test test-all test-aarch64 test-blender test-mpi test-node test-windows test-peers test-python blender build install uninstall release web playground site tidy fuzz bench format generated clean
 
 help:
 	@echo 'make demo     installs what is missing, builds glint, renders castle.png and explains one of its pixels'
@@ -18,6 +18,7 @@ help:
 	@echo 'make bench    installs POV-Ray, Tachyon and Embree and compares glint with them (docs/performance.md)'
 	@echo 'make test-aarch64  cross-compiles for 64-bit ARM and runs tests under qemu'
 	@echo 'make test-mpi  installs Open MPI, Dask and GNU parallel and tests rendering on many processes (docs/scale_out.md)'
+	@echo 'make test-windows installs mingw-w64 and wine, builds the command for Windows and tests it'
 	@echo 'make test-node  installs emscripten, builds the command for node and tests it (docs/platforms.md)'
 	@echo 'make test-blender  installs Blender (571 MB) and tests the add-on for it (docs/blender.md); make blender builds its zip'
 	@echo 'make test-peers  installs POV-Ray and Tachyon and compares their pixels with those of glint, rule by rule'
@@ -54,6 +55,11 @@ test-aarch64:
 test-mpi:
 	@tools/install-dependencies mpi
 	@tools/run-tests mpi
+
+# The programs for Windows, run by wine.
+test-windows:
+	@tools/install-dependencies windows
+	@tools/run-tests windows
 
 # The command in node, from the npm package.
 test-node:
