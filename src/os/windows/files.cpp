@@ -48,10 +48,11 @@ int open_file(const std::string& path, DWORD access, DWORD creation, int flags) 
     return descriptor;
 }
 
+constexpr FileInfo k_stream{.kind = FileKind::other, .size = 0, .identity = {}, .has_name = true};
+
 std::optional<FileInfo> info(HANDLE handle) {
     BY_HANDLE_FILE_INFORMATION about;
-    if (GetFileType(handle) != FILE_TYPE_DISK)
-        return FileInfo{.kind = FileKind::other, .size = 0, .identity = {}, .has_name = true};
+    if (GetFileType(handle) != FILE_TYPE_DISK) return k_stream;
     if (!GetFileInformationByHandle(handle, &about)) {
         set_errno();
         return std::nullopt;
@@ -89,7 +90,11 @@ std::optional<FileInfo> info_of(const std::string& path) {
     return std::nullopt;
 }
 
-std::optional<FileInfo> info_of(int descriptor) { return info(handle_of(descriptor)); }
+// wine does not know a file that is standard input as one; it can be read nevertheless.
+std::optional<FileInfo> info_of(int descriptor) {
+    if (const auto about = info(handle_of(descriptor))) return about;
+    return k_stream;
+}
 
 int open_to_read(const std::string& path) {
     if (const auto about = info_of(path); about && about->kind == FileKind::folder) {
