@@ -96,9 +96,10 @@ build: deps
 install: build
 	@cmake --build --preset release
 	@DESTDIR='$(DESTDIR)' cmake --install build/release --prefix '$(PREFIX)'
+	@cp build/release/install_manifest.txt build/installed.txt
 
 uninstall:
-	@tools/uninstall build/release/install_manifest.txt '$(DESTDIR)'
+	@tools/uninstall build/installed.txt '$(DESTDIR)'
 
 release:
 	@tools/install-dependencies release

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The only place that starts threads (oneTBB). In the browser, a worker has one thread and the loops are
-// serial.
+// The only place that starts threads (oneTBB, or those of the standard library). In the browser, a worker has
+// one thread and the loops are serial.
 #include <cstddef>
 #include <functional>
 

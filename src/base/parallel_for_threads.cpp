@@ -32,7 +32,7 @@ class Pool {
     void run(Call& call, int helpers) {
         {
             const std::lock_guard lock(mutex_);
-            for (int i = 0; i < helpers; ++i) wanted_.push_back(&call);
+            wanted_.insert(wanted_.end(), static_cast<std::size_t>(helpers), &call);
             add_threads();
         }
         wake_.notify_all();

@@ -9,6 +9,7 @@
 #include "cli/output_file.h"
 #include "cli/print_error.h"
 #include "cli/program.h"
+#include "os/process.h"
 
 namespace glint::cli {
 namespace {
@@ -45,10 +46,8 @@ int run(const DropInProgram& program, const std::vector<std::string>& arguments)
     }
 }
 
-// Without its folder and Windows' ending.
-std::string_view program_name(std::string_view path) {
-    if (path.ends_with(".exe")) path.remove_suffix(4);
-    return path.substr(path.rfind('/') + 1);
+std::string program_name(std::string_view path) {
+    return os::name_of_program(std::string(path.substr(path.rfind('/') + 1)));
 }
 
 }  // namespace

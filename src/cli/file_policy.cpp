@@ -18,26 +18,8 @@ namespace fs = std::filesystem;
 
 std::string reason_of(int error) { return error == ENOENT ? "no such file" : std::strerror(error); }
 
-constexpr int k_max_links = 40;  // as the system has
-
-// With links followed; empty if that is not possible.
-fs::path followed_path(const std::string& path) {
-    std::error_code error;
-    fs::path whole = fs::absolute(os::to_path(path.empty() ? "." : path), error);
-    if (error) return {};
-    // weakly_canonical() keeps the name of a link to nothing, which a writer follows.
-    for (int links = 0; fs::is_symlink(fs::symlink_status(whole, error)); ++links) {
-        const fs::path to = fs::read_symlink(whole, error);
-        if (error || links == k_max_links) return {};
-        whole = whole.parent_path() / to;
-    }
-    error.clear();
-    const fs::path canonical = fs::weakly_canonical(whole, error);
-    return error ? fs::path() : canonical;
-}
-
 bool is_inside(const std::string& path, const std::string& folder) {
-    const fs::path whole = followed_path(path), root = followed_path(folder);
+    const fs::path whole = os::followed(path), root = os::followed(folder);
     if (whole.empty() || root.empty()) return false;
     // The last part of a folder that does not exist is empty if it was written with a slash.
     const auto end = root.has_filename() ? root.end() : std::prev(root.end());
@@ -47,7 +29,7 @@ bool is_inside(const std::string& path, const std::string& folder) {
 
 // A link with the name of a scene may lead to any file, of which messages would quote lines.
 bool hides_its_type(const std::string& path) {
-    return is_scene_name(path) && !is_scene_name(os::to_string(followed_path(path)));
+    return is_scene_name(path) && !is_scene_name(os::to_string(os::followed(path)));
 }
 
 NamedFile open_named_file(const std::string& path, const FileReach& reach, std::string& why) {

@@ -135,10 +135,13 @@ Run add_install_drop_ins(CLI::App& app) {
         "Examples:\n  glint install-drop-ins ~/glint-links\n"
         "  PATH=~/glint-links:$PATH pymol\n  glint install-drop-ins --remove ~/glint-links");
     return [arguments] {
+        if (!os::k_has_links)
+            throw Failure(k_bad_input,
+                          "links need a privilege on Windows: copy glint.exe as povray.exe and tachyon.exe");
         std::error_code failed;
         fs::path folder = fs::absolute(os::to_path(arguments->folder), failed);
         if (!failed) folder = fs::weakly_canonical(folder, failed);
-        if (failed) fail_at(arguments->folder, failed.message());
+        if (failed) fail_at(os::to_path(arguments->folder), failed.message());
         if (!folder.has_filename()) folder = folder.parent_path();  // a/ is a
         if (is_systems(folder))
             fail_at(folder, "is a folder of the system: choose one of your own, as ~/glint-links");

@@ -61,16 +61,9 @@ void add_output(Output output) {
 }  // namespace
 
 fs::path followed(const std::string& path) {
-    constexpr int most_links = 40;  // as the kernel: more are a circle
+    fs::path found = os::followed(path);
     std::error_code error;
-    fs::path at = fs::absolute(os::to_path(path), error);
-    for (int i = 0; i < most_links && fs::is_symlink(fs::symlink_status(at, error)); ++i) {
-        const fs::path target = fs::read_symlink(at, error);
-        if (error) break;
-        at = at.parent_path() / target;
-    }
-    fs::path found = fs::weakly_canonical(at, error);
-    return error ? at.lexically_normal() : found;
+    return found.empty() ? fs::absolute(os::to_path(path), error).lexically_normal() : found;
 }
 
 void note_output(const std::string& option, const std::string& path) {

@@ -24,13 +24,13 @@ int run_program(std::string_view name, int failure, const std::function<int()>& 
         print_error("{}: out of memory\n", name);
     } catch (const std::system_error& e) {
         // What fmt::print() throws. Nothing but standard output is written with it.
-        if (os::reader_is_gone()) os::end_by_broken_pipe();
+        if (os::reader_is_gone(e.code().value())) os::end_by_broken_pipe();
         print_error("{}: {}\n", name, e.what());
     } catch (const std::exception& e) {
         print_error("{}: {}\n", name, e.what());
     }
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {  // CLI11 flushes only its own output
-        if (os::reader_is_gone()) os::end_by_broken_pipe();
+        if (os::reader_is_gone(0)) os::end_by_broken_pipe();
         print_error("{}: cannot write to standard output\n", name);
         if (code == k_done) code = failure;
     }

@@ -100,6 +100,12 @@ class JournalOutput : public RenderOutput {
     }
 
     double write_picture(Rendering& rendering) {
+        const double seconds = write_tiles(rendering);
+        journal_->remove();  // no input maps it any more, which Windows requires
+        return seconds;
+    }
+
+    double write_tiles(Rendering& rendering) {
         std::vector<JournalInput> inputs;
         inputs.push_back(journal_->read());
         const JournalPicture tiles(inputs);
@@ -108,7 +114,6 @@ class JournalOutput : public RenderOutput {
                           fmt::format("the journal of {} has been changed", glint::quoted(plan_.path)));
         const double seconds = plan_.picture->write(tiles);
         if (plan_.is_shown) rendering.image = tiles.image();
-        journal_->remove();
         return seconds;
     }
 

@@ -39,6 +39,7 @@ bool is_hidden(const std::string& name) { return name.starts_with('.') || name.s
 Listing list(const std::string& folder) {
     Listing found;
     std::error_code error;
+    if (os::is_too_long(folder)) return {{}, std::make_error_code(std::errc::filename_too_long).message()};
     fs::directory_iterator at(os::to_path(folder), error);
     for (; !error && at != fs::directory_iterator(); at.increment(error)) {
         const std::string name = os::to_string(at->path().filename()), path = os::to_string(at->path());

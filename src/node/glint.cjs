@@ -28,7 +28,11 @@ const engine = require('./glint.js');
 // As natively: an unfinished file is removed, then the signal ends the process.
 for (const name of ['SIGINT', 'SIGTERM', 'SIGHUP']) {
     process.on(name, () => {
-        engine._glint_interrupted?.(signals[name]);
+        try {
+            engine._glint_interrupted?.(signals[name]);
+        } catch {
+            // The engine is not there yet, and neither is a file.
+        }
         if (process.platform === 'win32') exit(128 + signals[name]);
         process.removeAllListeners(name);
         process.kill(process.pid, name);

@@ -3,12 +3,12 @@
 mergeInto(LibraryManager.library, {
     $ENV__postset: 'Object.assign(ENV, process.env);',
     __syscall_ioctl__deps: ['$SYSCALLS'],
-    __syscall_ioctl: function(fd, request, arguments) {
+    __syscall_ioctl: function(fd, request, varargs) {
         const windowSize = 0x5413, notTerminal = -25;
         if (request !== windowSize || !require('tty').isatty(fd)) return notTerminal;
         const terminal = fd === 2 ? process.stderr : process.stdout;
         const [columns, rows] = terminal.getWindowSize ? terminal.getWindowSize() : [80, 24];
-        const to = HEAP32[arguments >> 2] >> 1;
+        const to = HEAP32[varargs >> 2] >> 1;
         HEAPU16[to] = rows;
         HEAPU16[to + 1] = columns;
         return 0;

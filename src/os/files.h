@@ -78,6 +78,20 @@ void release(void* mapped, std::size_t size);
 std::filesystem::path to_path(std::string_view path);
 std::string to_string(const std::filesystem::path& path);
 
+/// The absolute path of what a path names, with all links followed, also one that names no file yet. Empty if
+/// that is not possible.
+std::filesystem::path followed(const std::string& path);
+
+/// Whether std::filesystem cannot read a folder because of its path's length.
+bool is_too_long(const std::string& folder);
+
+/// Whether users may make symbolic links.
+#if defined(_WIN32)
+inline constexpr bool k_has_links = false;  // only administrators, and in developer mode
+#else
+inline constexpr bool k_has_links = true;
+#endif
+
 /// Whether a name matches a pattern with *, ? and [a-z], as a shell's; upper and lower case are the same.
 bool matches(const std::string& name, const std::string& pattern);
 

@@ -11,6 +11,9 @@ namespace glint::os {
 /// main()'s arguments as UTF-8, with the program's name first. On Windows '\\' has become '/'.
 std::vector<std::string> arguments(int count, char** values);
 
+/// The name of a program by that of its file: on Windows without .exe, in lower case.
+std::string name_of_program(std::string file);
+
 /// Standard input and output carry bytes as they are, and terminals show UTF-8 and obey escape sequences.
 void prepare_streams();
 
@@ -26,8 +29,9 @@ enum class Ending { interrupt, other, file_shrank };
 /// shorter ends the program with the exit code that clean_up() returns.
 void on_ending(int (*clean_up)(Ending));
 
-/// After writing to standard output failed: whether it is a pipe that nobody reads any more.
-bool reader_is_gone();
+/// After writing to standard output failed: whether it is a pipe that nobody reads any more. `error`: errno
+/// of that, or 0 if it is not known.
+bool reader_is_gone(int error);
 /// Ends the process as a filter ends whose reader has gone: by SIGPIPE, without a message; shells report 141.
 [[noreturn]] void end_by_broken_pipe();
 

@@ -118,6 +118,25 @@ void release(void* mapped, std::size_t size) { ::madvise(mapped, size, MADV_DONT
 std::filesystem::path to_path(std::string_view path) { return path; }
 std::string to_string(const std::filesystem::path& path) { return path.string(); }
 
+bool is_too_long(const std::string&) { return false; }  // the system says it
+
+std::filesystem::path followed(const std::string& path) {
+    namespace fs = std::filesystem;
+    constexpr int most_links = 40;  // as the kernel: more are a circle
+    std::error_code error;
+    fs::path whole = fs::absolute(path.empty() ? "." : path, error);
+    if (error) return {};
+    // weakly_canonical() keeps the name of a link to nothing, which a writer follows.
+    for (int links = 0; fs::is_symlink(fs::symlink_status(whole, error)); ++links) {
+        const fs::path to = fs::read_symlink(whole, error);
+        if (error || links == most_links) return {};
+        whole = whole.parent_path() / to;
+    }
+    error.clear();
+    fs::path canonical = fs::weakly_canonical(whole, error);
+    return error ? fs::path() : canonical;
+}
+
 bool matches(const std::string& name, const std::string& pattern) {
     return ::fnmatch(pattern.c_str(), name.c_str(), FNM_CASEFOLD) == 0;
 }

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <string_view>
 
@@ -37,6 +38,8 @@ void end_at_once(int signal) {
 }  // namespace
 
 std::vector<std::string> arguments(int count, char** values) { return {values, values + count}; }
+
+std::string name_of_program(std::string file) { return file; }
 
 void prepare_streams() {}
 
@@ -77,11 +80,12 @@ void on_ending(int (*clean_up)(Ending)) {
 // node has the signals: src/node/glint.cjs.
 extern "C" __attribute__((used, visibility("default"), export_name("glint_interrupted"))) void
 glint_interrupted(int signal) {
-    clean_up_at_end(ending_of(signal));
+    if (clean_up_at_end != nullptr) clean_up_at_end(ending_of(signal));
 }
 #endif
 
-bool reader_is_gone() {
+bool reader_is_gone(int error) {
+    if (error != 0) return error == EPIPE;
     pollfd output{STDOUT_FILENO, POLLOUT, 0};
     return ::poll(&output, 1, 0) > 0 && (output.revents & POLLERR) != 0;
 }

@@ -15,8 +15,6 @@
 namespace glint::os {
 namespace {
 
-HANDLE handle_of(int descriptor) { return reinterpret_cast<HANDLE>(_get_osfhandle(descriptor)); }
-
 class Handle {
   public:
     explicit Handle(HANDLE handle) : handle_(handle) {}
@@ -92,8 +90,8 @@ std::optional<FileInfo> info_of(const std::string& path) {
 
 // wine does not know a file that is standard input as one; it can be read nevertheless.
 std::optional<FileInfo> info_of(int descriptor) {
-    if (const auto about = info(handle_of(descriptor))) return about;
-    return k_stream;
+    const auto about = info(handle_of(descriptor));
+    return about || descriptor != k_standard_input ? about : k_stream;
 }
 
 int open_to_read(const std::string& path) {
@@ -190,7 +188,33 @@ void unmap(void* mapped, std::size_t) { UnmapViewOfFile(mapped); }
 void release(void* mapped, std::size_t size) { VirtualUnlock(mapped, size); }
 
 std::filesystem::path to_path(std::string_view path) { return to_wide(path); }
-std::string to_string(const std::filesystem::path& path) { return to_utf8(path.generic_wstring()); }
+std::string to_string(const std::filesystem::path& path) {
+    std::wstring text = path.wstring();
+    if (text.starts_with(L"\\\\?\\")) text.erase(0, 4);
+    std::replace(text.begin(), text.end(), L'\\', L'/');
+    return to_utf8(text);
+}
+
+// The C library's opendir() of a longer path reads another folder.
+bool is_too_long(const std::string& folder) { return system_path(folder).starts_with(L"\\\\?\\"); }
+
+// std::filesystem sees neither links nor junctions.
+std::filesystem::path followed(const std::string& path) {
+    const std::string given = path.empty() ? "." : path;
+    const Handle file(CreateFileW(system_path(given).c_str(), 0, k_shared, nullptr, OPEN_EXISTING,
+                                  FILE_FLAG_BACKUP_SEMANTICS, nullptr));
+    if (file.is_open()) {
+        std::wstring found(32768, L'\0');
+        found.resize(GetFinalPathNameByHandleW(file.get(), found.data(), static_cast<DWORD>(found.size()),
+                                               FILE_NAME_NORMALIZED));
+        return to_path(to_string(std::filesystem::path(found)));
+    }
+    std::error_code error;
+    const std::filesystem::path whole = std::filesystem::absolute(to_path(given), error).lexically_normal();
+    if (error || !whole.has_relative_path()) return {};
+    const std::filesystem::path folder = followed(to_string(whole.parent_path()));
+    return folder.empty() ? folder : folder / whole.filename();
+}
 
 bool matches(const std::string& name, const std::string& pattern) {
     std::string expression;

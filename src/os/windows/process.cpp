@@ -9,6 +9,7 @@
 #include <shellapi.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 
@@ -30,8 +31,6 @@ BOOL WINAPI end_at_once(DWORD event) {
     TerminateProcess(GetCurrentProcess(), is_interrupt ? k_ended_by_interrupt : k_ended_by_closing);
     return TRUE;
 }
-
-HANDLE handle_of(int descriptor) { return reinterpret_cast<HANDLE>(_get_osfhandle(descriptor)); }
 
 // Consoles of Windows 10 and later.
 bool obeys_escapes(int descriptor) {
@@ -55,9 +54,18 @@ std::vector<std::string> arguments(int count, char** values) {
     return texts;
 }
 
+std::string name_of_program(std::string file) {
+    std::transform(file.begin(), file.end(), file.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
+    if (file.ends_with(".exe")) file.resize(file.size() - 4);
+    return file;
+}
+
 void prepare_streams() {
     for (std::FILE* const stream : {stdin, stdout, stderr}) _setmode(_fileno(stream), _O_BINARY);
+    static const UINT users_page = GetConsoleOutputCP();
     SetConsoleOutputCP(CP_UTF8);
+    std::atexit([] { SetConsoleOutputCP(users_page); });
     for (const int descriptor : {k_standard_output, k_standard_error}) obeys_escapes(descriptor);
 }
 
@@ -79,8 +87,12 @@ void on_ending(int (*clean_up)(Ending)) {
     SetConsoleCtrlHandler(end_at_once, TRUE);
 }
 
-// Nothing else makes writing to a pipe fail.
-bool reader_is_gone() { return GetFileType(handle_of(k_standard_output)) == FILE_TYPE_PIPE; }
+// Nothing else makes writing to a pipe fail with EINVAL, which the C library makes of all that it does not
+// know.
+bool reader_is_gone(int error) {
+    return (error == 0 || error == EINVAL || error == EPIPE) &&
+           GetFileType(handle_of(k_standard_output)) == FILE_TYPE_PIPE;
+}
 
 void end_by_broken_pipe() { std::_Exit(k_broken_pipe); }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "os/windows/wide.h"
 
+#include <io.h>
 #include <windows.h>
 
 #include <algorithm>
@@ -32,6 +33,8 @@ std::wstring system_path(std::string_view path) {
     whole.resize(GetFullPathNameW(wide.c_str(), static_cast<DWORD>(whole.size()), whole.data(), nullptr));
     return whole.size() < longest || whole.starts_with(L"\\\\") ? wide : L"\\\\?\\" + whole;
 }
+
+void* handle_of(int descriptor) { return reinterpret_cast<void*>(_get_osfhandle(descriptor)); }
 
 void set_errno() {
     switch (GetLastError()) {

@@ -12,6 +12,9 @@ std::string to_utf8(std::wstring_view text);
 /// A path for Windows' functions, which take more than 260 characters only of whole paths that are marked.
 std::wstring system_path(std::string_view path);
 
+/// The system's handle of a descriptor.
+void* handle_of(int descriptor);
+
 /// Sets errno from the error of the last call of Windows.
 void set_errno();
 
