@@ -42,23 +42,24 @@ bool is_standard_output(const std::string& path) {
 OutputFile::OutputFile(const std::string& option, std::string path) : path_(std::move(path)), target_(path_) {
     standard_output_ = cli::is_standard_output(path_);
     if (standard_output_) note_standard_output(option);
-    const auto about = standard_output_ ? std::nullopt : os::info_of(path_);
-    if (about && about->kind == os::FileKind::folder) {
+    const os::FileKind kind = standard_output_ ? os::FileKind::none : os::kind_of(path_);
+    if (kind == os::FileKind::folder) {
         throw Failure(k_bad_input, fmt::format("cannot write '{}': is a folder", path_));
     }
-    direct_ = standard_output_ || (about && about->kind != os::FileKind::regular);
+    const bool exists = kind != os::FileKind::none;
+    direct_ = standard_output_ || kind == os::FileKind::other;
     if (direct_) return;
-    if (!about && errno == ELOOP) fail(path_, errno);
+    if (!exists && errno == ELOOP) fail(path_, errno);
     // The file that a link names is replaced or made, not the link.
-    if (about || os::is_link(path_)) target_ = os::to_string(followed(path_));
-    if (about && !os::is_writable(target_)) fail(path_, errno);
+    if (exists || os::is_link(path_)) target_ = os::to_string(followed(path_));
+    if (exists && !os::is_writable(target_)) fail(path_, errno);
     const std::string folder = os::folder_of(target_);
-    const auto about_folder = os::info_of(folder);
-    if (!about_folder) {
+    const os::FileKind kind_of_folder = os::kind_of(folder);
+    if (kind_of_folder == os::FileKind::none) {
         if (errno != ENOENT) fail(path_, errno);
         throw Failure(k_bad_input, fmt::format("cannot write '{}': there is no folder '{}'", path_, folder));
     }
-    if (about_folder->kind != os::FileKind::folder) {
+    if (kind_of_folder != os::FileKind::folder) {
         throw Failure(k_bad_input, fmt::format("cannot write '{}': '{}' is not a folder", path_, folder));
     }
     if (!os::is_writable_folder(folder)) {

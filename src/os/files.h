@@ -14,7 +14,7 @@ namespace glint::os {
 
 inline constexpr int k_standard_input = 0, k_standard_output = 1, k_standard_error = 2;
 
-enum class FileKind { regular, folder, other };
+enum class FileKind { none, regular, folder, other };
 
 /// Identifies a file under all its names: hard and symbolic links.
 struct FileIdentity {
@@ -30,6 +30,8 @@ struct FileInfo {
 };
 std::optional<FileInfo> info_of(const std::string& path);
 std::optional<FileInfo> info_of(int descriptor);
+/// Of what the path names; `none` if that cannot be said, with the reason in errno.
+FileKind kind_of(const std::string& path);
 
 int open_to_read(const std::string& path);
 /// Of a regular file: does not wait if it has become a pipe or a terminal.

@@ -38,6 +38,11 @@ std::optional<FileInfo> info_of(int descriptor) {
     return info(about);
 }
 
+FileKind kind_of(const std::string& path) {
+    const auto about = info_of(path);
+    return about ? about->kind : FileKind::none;
+}
+
 int open_to_read(const std::string& path) { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC); }
 int open_regular(const std::string& path) {
     return ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);

@@ -94,6 +94,11 @@ std::optional<FileInfo> info_of(int descriptor) {
     return about || descriptor != k_standard_input ? about : k_stream;
 }
 
+FileKind kind_of(const std::string& path) {
+    const auto about = info_of(path);
+    return about ? about->kind : FileKind::none;
+}
+
 int open_to_read(const std::string& path) {
     if (const auto about = info_of(path); about && about->kind == FileKind::folder) {
         errno = EISDIR;
