@@ -87,7 +87,7 @@ EncodedStrip compress_strip(const Bytes& data, bool is_first, bool is_last) {
     const std::size_t head = k_chunk_head + (is_first ? 2 : 0);
     EncodedStrip strip;
     Bytes& chunk = strip.bytes;
-    chunk.resize(head + deflateBound(&z, data.size()) + 16);
+    chunk.resize(head + deflateBound(&z, static_cast<uLong>(data.size())) + 16);
     if (is_first) {
         chunk[k_chunk_head] = 0x78;
         chunk[k_chunk_head + 1] = 0x01;
