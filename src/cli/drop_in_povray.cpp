@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 
 #include "base/text.h"
 #include "cli/drop_in.h"
@@ -143,10 +142,7 @@ class PovrayArguments {
 
 }  // namespace
 
-bool IniFiles::exists(const std::string& path) {
-    std::error_code ignored;
-    return std::filesystem::is_regular_file(os::to_path(path), ignored);
-}
+bool IniFiles::exists(const std::string& path) { return os::info_of(path).kind == os::FileKind::regular; }
 
 std::string IniFiles::read(const std::string& path, bool is_users) {
     std::string why;

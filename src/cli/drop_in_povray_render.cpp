@@ -80,8 +80,8 @@ void PovrayOptions::check_output(const std::string& path) const {
 // The scene, with .pov or without, in this folder or one of +L. Without extension `input_` then has it.
 std::string PovrayOptions::find_input() {
     const auto is_file = [](const std::string& path) {
-        std::error_code ignored;
-        return os::exists(path) && !std::filesystem::is_directory(os::to_path(path), ignored);
+        const os::FileKind kind = os::info_of(path).kind;
+        return kind != os::FileKind::none && kind != os::FileKind::folder;
     };
     const std::string given = input_;
     const bool is_bare = extension(given).empty() && given != "-";
@@ -91,8 +91,7 @@ std::string PovrayOptions::find_input() {
         std::string path = os::to_string(os::to_path(folder) / os::to_path(input_));
         if (is_file(path)) return path;
     }
-    std::error_code ignored;
-    return std::filesystem::is_directory(os::to_path(given), ignored) ? given : input_;  // for the message
+    return os::info_of(given).kind == os::FileKind::folder ? given : input_;  // for the message
 }
 
 // The names are POV-Ray's (measured): the ending of the file's type is added unless the name has it;

@@ -44,22 +44,22 @@ NamedFile open_named_file(const std::string& path, const FileReach& reach, std::
         return {};
     }
     // Opening a device may already do something, so it is looked at first.
-    std::optional<os::FileInfo> about = os::info_of(path);
+    os::FileInfo about = os::info_of(path);
     NamedFile file;
-    if (about && about->kind == os::FileKind::regular) {
+    if (about.kind == os::FileKind::regular) {
         file.descriptor = os::open_regular(path);
-        about = file.descriptor < 0 ? std::nullopt : os::info_of(file.descriptor);
+        about = file.descriptor < 0 ? os::FileInfo() : os::info_of(file.descriptor);
     }
-    if (!about) {
+    if (about.kind == os::FileKind::none) {
         why = reason_of(errno);
         return {};
     }
-    if (about->kind != os::FileKind::regular) {  // it may have been replaced
+    if (about.kind != os::FileKind::regular) {  // it may have been replaced
         if (file.descriptor >= 0) os::close(file.descriptor);
-        why = about->kind == os::FileKind::folder ? "is a folder, not a regular file" : "not a regular file";
+        why = about.kind == os::FileKind::folder ? "is a folder, not a regular file" : "not a regular file";
         return {};
     }
-    file.size = static_cast<std::size_t>(about->size);
+    file.size = static_cast<std::size_t>(about.size);
     return file;
 }
 

@@ -76,19 +76,19 @@ bool InputFile::map(int descriptor, std::size_t size) {
 std::optional<InputFile> InputFile::open(const std::string& path, std::string& why, bool binary,
                                          bool is_own) {
     const Descriptor file(path == "-" ? os::k_standard_input : os::open_to_read(path));
-    const std::optional<os::FileInfo> about = file.number() < 0 ? std::nullopt : os::info_of(file.number());
-    if (!about && errno != EISDIR) {
+    const os::FileInfo about = file.number() < 0 ? os::FileInfo() : os::info_of(file.number());
+    if (about.kind == os::FileKind::none && errno != EISDIR) {
         why = reason_of(errno);
         return std::nullopt;
     }
-    if (!about || about->kind == os::FileKind::folder) {
+    if (about.kind == os::FileKind::none || about.kind == os::FileKind::folder) {
         why = "is a folder";
         return std::nullopt;
     }
     if (!is_own) note_input(file.number());
     InputFile input;
-    if (path != "-" && about->kind == os::FileKind::regular &&
-        input.map(file.number(), static_cast<std::size_t>(about->size)))
+    if (path != "-" && about.kind == os::FileKind::regular &&
+        input.map(file.number(), static_cast<std::size_t>(about.size)))
         return input;
     why = read_all(file.number(), binary, input.read_);
     if (!why.empty()) return std::nullopt;

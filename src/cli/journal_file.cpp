@@ -50,9 +50,9 @@ std::unique_ptr<JournalFile> JournalFile::resume(const std::string& path, const 
         if (file->descriptor_ < 0) file->fail(errno);
         file->lock();
         // The process that had the lock may have finished and removed the file since it was opened here.
-        const auto about = os::info_of(file->descriptor_);
-        if (!about) file->fail(errno);
-        if (about->has_name) break;
+        const os::FileInfo about = os::info_of(file->descriptor_);
+        if (about.kind == os::FileKind::none) file->fail(errno);
+        if (about.has_name) break;
         os::close(std::exchange(file->descriptor_, -1));
     }
     file->start();
@@ -102,13 +102,13 @@ std::size_t JournalFile::read_tiles() {
 
 // Cuts off a record that is not whole, and writes the header if there is none.
 void JournalFile::start() {
-    const auto about = os::info_of(descriptor_);
-    if (!about) fail(errno);
-    if (about->kind != os::FileKind::regular)
+    const os::FileInfo about = os::info_of(descriptor_);
+    if (about.kind == os::FileKind::none) fail(errno);
+    if (about.kind != os::FileKind::regular)
         throw Failure(k_bad_input, fmt::format("the journal {} is no regular file", glint::quoted(path_)));
     missing_ = tiles_of_part(header_);
     expected_ = missing_.size();
-    const std::size_t kept = about->size > 0 ? read_tiles() : 0;
+    const std::size_t kept = about.size > 0 ? read_tiles() : 0;
     if (!os::resize(descriptor_, kept) || !os::seek(descriptor_, kept)) fail(errno);
     if (kept > 0) return;
     write(header_bytes(header_));
@@ -121,7 +121,7 @@ void JournalFile::write(std::string_view bytes) {
 }
 
 void JournalFile::sync() {
-    if (!os::sync(descriptor_)) fail(errno);
+    if (!os::sync(descriptor_) && errno != EINVAL && errno != EROFS) fail(errno);
     synced_ = std::chrono::steady_clock::now();
 }
 

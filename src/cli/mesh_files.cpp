@@ -39,8 +39,7 @@ std::vector<std::string> known_mesh_files(const Scene& scene, const std::string&
     std::vector<std::string> names = mesh_file_names(scene);
     for (std::string& name : names) {
         // Not standard input, nor a file of an include path, nor one whose name says another format.
-        std::error_code failed;
-        if (!format.empty() || !std::filesystem::is_regular_file(os::to_path(name), failed)) name.clear();
+        if (!format.empty() || os::info_of(name).kind != os::FileKind::regular) name.clear();
     }
     return names;
 }
@@ -61,7 +60,6 @@ std::vector<std::string> write_mesh_files(const Scene& scene, const std::string&
         Result<std::string> ply = write_ply(*scene.meshes[i]);
         if (!ply) continue;  // into the text
         const std::string path = fmt::format("{}-{}.ply", stem, files.size() + 1);
-        std::error_code failed;
         if (os::exists(path) && !os::exists(target)) {
             throw Failure(k_usage,
                           fmt::format("'{}' would be overwritten, and is not of an earlier conversion: "

@@ -42,7 +42,7 @@ bool is_standard_output(const std::string& path) {
 OutputFile::OutputFile(const std::string& option, std::string path) : path_(std::move(path)), target_(path_) {
     standard_output_ = cli::is_standard_output(path_);
     if (standard_output_) note_standard_output(option);
-    const os::FileKind kind = standard_output_ ? os::FileKind::none : os::kind_of(path_);
+    const os::FileKind kind = standard_output_ ? os::FileKind::none : os::info_of(path_).kind;
     if (kind == os::FileKind::folder) {
         throw Failure(k_bad_input, fmt::format("cannot write '{}': is a folder", path_));
     }
@@ -54,7 +54,7 @@ OutputFile::OutputFile(const std::string& option, std::string path) : path_(std:
     if (exists || os::is_link(path_)) target_ = os::to_string(followed(path_));
     if (exists && !os::is_writable(target_)) fail(path_, errno);
     const std::string folder = os::folder_of(target_);
-    const os::FileKind kind_of_folder = os::kind_of(folder);
+    const os::FileKind kind_of_folder = os::info_of(folder).kind;
     if (kind_of_folder == os::FileKind::none) {
         if (errno != ENOENT) fail(path_, errno);
         throw Failure(k_bad_input, fmt::format("cannot write '{}': there is no folder '{}'", path_, folder));

@@ -68,10 +68,9 @@ fs::path followed(const std::string& path) {
 
 void note_output(const std::string& option, const std::string& path) {
     Output output{option, path, {}, {}};
-    if (const auto about = os::info_of(path)) {
-        output.file = identity(*about);
-        if (!output.file) return;
-    }
+    const os::FileInfo about = os::info_of(path);
+    output.file = identity(about);
+    if (!output.file && about.kind != os::FileKind::none) return;
     output.whole = followed(path);
     add_output(std::move(output));
 }
@@ -81,15 +80,13 @@ void note_standard_output(const std::string& option) {
     if (!taken.empty())
         throw Failure(k_usage, fmt::format("{} and {} cannot both go to standard output", taken, option));
     taken = option;
-    const auto about = os::info_of(os::k_standard_output);  // a shell may redirect it to a file
-    if (!about) return;
-    if (const auto file = identity(*about)) add_output({option, "standard output", file, {}});
+    // A shell may redirect it to a file.
+    if (const auto file = identity(os::info_of(os::k_standard_output)))
+        add_output({option, "standard output", file, {}});
 }
 
 void note_input(int descriptor) {
-    const auto about = os::info_of(descriptor);
-    if (!about) return;
-    const auto file = identity(*about);
+    const auto file = identity(os::info_of(descriptor));
     if (!file) return;
     for (const Output& output : noted().outputs) {
         if (output.file == file) refuse(output);

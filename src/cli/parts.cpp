@@ -41,8 +41,7 @@ OutputFile tiles_output(const std::string& path, bool shows) {
 
 bool has_all_tiles(const std::string& path, const JournalHeader& header) {
     std::string why;
-    const auto about = os::info_of(path);
-    if (!about || about->kind != os::FileKind::regular) return false;
+    if (os::info_of(path).kind != os::FileKind::regular) return false;
     auto file = InputFile::open_own(path, why);
     if (!file) return false;
     const Result<JournalInput> input = read_journal(path, std::move(*file));

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -18,20 +17,18 @@ enum class FileKind { none, regular, folder, other };
 
 /// Identifies a file under all its names: hard and symbolic links.
 struct FileIdentity {
-    std::uint64_t device, number;
+    std::uint64_t device = 0, number = 0;
     bool operator==(const FileIdentity&) const = default;
 };
 
 struct FileInfo {
-    FileKind kind;
-    std::uint64_t size;  ///< in bytes
-    FileIdentity identity;
-    bool has_name;  ///< false if it was removed since it was opened
+    FileKind kind = FileKind::none;  ///< `none`: nothing is known, errno has the reason
+    std::uint64_t size = 0;          ///< in bytes
+    FileIdentity identity{};
+    bool has_name = true;  ///< false if it was removed since it was opened
 };
-std::optional<FileInfo> info_of(const std::string& path);
-std::optional<FileInfo> info_of(int descriptor);
-/// Of what the path names; `none` if that cannot be said, with the reason in errno.
-FileKind kind_of(const std::string& path);
+FileInfo info_of(const std::string& path);
+FileInfo info_of(int descriptor);
 
 int open_to_read(const std::string& path);
 /// Of a regular file: does not wait if it has become a pipe or a terminal.
@@ -50,7 +47,7 @@ std::ptrdiff_t read(int descriptor, char* to, std::size_t size);
 bool write(int descriptor, const char* bytes, std::size_t size);
 bool seek(int descriptor, std::uint64_t position);
 bool resize(int descriptor, std::uint64_t size);
-/// Brings what was written to the disk.
+/// Brings what was written to the disk. EINVAL and EROFS: the file is of a kind that cannot.
 bool sync(int descriptor);
 /// The same for the names in a folder, where the system can.
 void sync_folder(const std::string& folder);

@@ -26,21 +26,14 @@ constexpr mode_t k_permissions = 0666;  // without what umask takes away
 
 }  // namespace
 
-std::optional<FileInfo> info_of(const std::string& path) {
+FileInfo info_of(const std::string& path) {
     struct stat about {};
-    if (::stat(path.c_str(), &about) != 0) return std::nullopt;
-    return info(about);
+    return ::stat(path.c_str(), &about) == 0 ? info(about) : FileInfo{};
 }
 
-std::optional<FileInfo> info_of(int descriptor) {
+FileInfo info_of(int descriptor) {
     struct stat about {};
-    if (::fstat(descriptor, &about) != 0) return std::nullopt;
-    return info(about);
-}
-
-FileKind kind_of(const std::string& path) {
-    const auto about = info_of(path);
-    return about ? about->kind : FileKind::none;
+    return ::fstat(descriptor, &about) == 0 ? info(about) : FileInfo{};
 }
 
 int open_to_read(const std::string& path) { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC); }
@@ -81,9 +74,7 @@ bool resize(int descriptor, std::uint64_t size) {
     return ::ftruncate(descriptor, static_cast<off_t>(size)) == 0;
 }
 
-bool sync(int descriptor) {
-    return ::fdatasync(descriptor) == 0 || errno == EINVAL || errno == EROFS;  // not all files can
-}
+bool sync(int descriptor) { return ::fdatasync(descriptor) == 0; }
 
 void sync_folder(const std::string& folder) {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);

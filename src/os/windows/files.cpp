@@ -46,22 +46,21 @@ int open_file(const std::string& path, DWORD access, DWORD creation, int flags) 
     return descriptor;
 }
 
-constexpr FileInfo k_stream{.kind = FileKind::other, .size = 0, .identity = {}, .has_name = true};
+constexpr FileInfo k_stream{.kind = FileKind::other};
 
-std::optional<FileInfo> info(HANDLE handle) {
+FileInfo info(HANDLE handle) {
     BY_HANDLE_FILE_INFORMATION about;
     if (GetFileType(handle) != FILE_TYPE_DISK) return k_stream;
     if (!GetFileInformationByHandle(handle, &about)) {
         set_errno();
-        return std::nullopt;
+        return {};
     }
     const auto whole = [](DWORD high, DWORD low) { return std::uint64_t{high} << 32 | low; };
-    return FileInfo{
-        .kind =
-            (about.dwFileAttributes & FILE_ATTRIBUTE_DIRECTORY) != 0 ? FileKind::folder : FileKind::regular,
-        .size = whole(about.nFileSizeHigh, about.nFileSizeLow),
-        .identity = {about.dwVolumeSerialNumber, whole(about.nFileIndexHigh, about.nFileIndexLow)},
-        .has_name = about.nNumberOfLinks > 0};
+    return {.kind = (about.dwFileAttributes & FILE_ATTRIBUTE_DIRECTORY) != 0 ? FileKind::folder
+                                                                             : FileKind::regular,
+            .size = whole(about.nFileSizeHigh, about.nFileSizeLow),
+            .identity = {about.dwVolumeSerialNumber, whole(about.nFileIndexHigh, about.nFileIndexLow)},
+            .has_name = about.nNumberOfLinks > 0};
 }
 
 bool is_done(BOOL result) {
@@ -80,27 +79,22 @@ bool has_attribute(const std::string& path, DWORD attribute) {
 
 }  // namespace
 
-std::optional<FileInfo> info_of(const std::string& path) {
+FileInfo info_of(const std::string& path) {
     const Handle file(CreateFileW(system_path(path).c_str(), 0, k_shared, nullptr, OPEN_EXISTING,
                                   FILE_FLAG_BACKUP_SEMANTICS, nullptr));
     if (file.is_open()) return info(file.get());
     set_errno();
-    return std::nullopt;
+    return {};
 }
 
 // wine does not know a file that is standard input as one; it can be read nevertheless.
-std::optional<FileInfo> info_of(int descriptor) {
-    const auto about = info(handle_of(descriptor));
-    return about || descriptor != k_standard_input ? about : k_stream;
-}
-
-FileKind kind_of(const std::string& path) {
-    const auto about = info_of(path);
-    return about ? about->kind : FileKind::none;
+FileInfo info_of(int descriptor) {
+    const FileInfo about = info(handle_of(descriptor));
+    return about.kind == FileKind::none && descriptor == k_standard_input ? k_stream : about;
 }
 
 int open_to_read(const std::string& path) {
-    if (const auto about = info_of(path); about && about->kind == FileKind::folder) {
+    if (info_of(path).kind == FileKind::folder) {
         errno = EISDIR;
         return -1;
     }
