@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/drop_in_animation.h"
-#include "os/files.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
+
+#include "os/files.h"
 
 namespace glint::cli {
 namespace {
