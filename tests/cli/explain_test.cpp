@@ -30,7 +30,8 @@ TEST(Explain, ShowsColorsInATerminal) {
     RunOptions options;
     options.program = "/usr/bin/script";
     const auto shown = [&](const std::string& no_color) {
-        const std::string line = no_color + " " GLINT_COMMAND " explain " + k_castle + " -p 320,440";
+        const std::string line =
+            "env -u NO_COLOR " + no_color + " " GLINT_COMMAND " explain " + k_castle + " -p 320,440";
         return Process(folder, {"-qec", line, "/dev/null"}, options).finish().out;
     };
     const std::string swatch = "bytes        24 36 11  \x1b[48;2;24;36;11m    \x1b[0m";

@@ -69,7 +69,7 @@ TEST_F(HostileNames, InATerminal) {
     folder_.write("s.json", hostile_scene());
     RunOptions options;
     options.program = "/usr/bin/script";
-    const std::string line = GLINT_COMMAND " explain s.json -s 8x8 -p 4,4";
+    const std::string line = "env -u NO_COLOR " GLINT_COMMAND " explain s.json -s 8x8 -p 4,4";
     const std::string out = Process(folder_, {"-qec", line, "/dev/null"}, options).finish().out;
     EXPECT_TRUE(contains(out, "'x\\x1b[31m\\x07\\xc2\\x9b\\xe2\\x80\\xae\\x0ay\\x7f'")) << out;
     EXPECT_TRUE(contains(out, "\x1b[48;2;")) << out;
