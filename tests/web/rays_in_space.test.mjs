@@ -83,4 +83,7 @@ test('into a closed room the view looks from above, so that its rays are seen', 
     const seen = await until(share, (now) => now > 0.8 && now < 1);  // 1: before the depths are known
     assert.ok(seen > 0.8, `${seen} of the rays`);
     await shoot(page, 'mirror_room_in_space.png');
+    // The cut was the view's own choice, so another scene begins without it.
+    await choose(page, 'cgfs/three_spheres.cgfs');
+    assert.equal(await until(() => slider.inputValue(), (now) => now === '0'), '0');
 }));

@@ -6,7 +6,7 @@ import type {CameraInfo, SceneInfo, Vec3} from 'glint-wasm';
 import {useEffect, useLayoutEffect, useMemo, useRef} from 'preact/hooks';
 
 import {add, unit} from '../camera';
-import {isMoving, manyShapes, shapeCount, turn} from '../store/space';
+import {isMoving, manyShapes, ownCut, shapeCount, turn} from '../store/space';
 import {documentId, info, pinned, pinnedIn, selected, services, state} from '../store/state';
 import {length} from '../text/edit';
 import {sceneDistance} from '../ui/gestures';
@@ -59,20 +59,19 @@ function handlesOf(chosen: Handle | null): Handle[] {
 const intoRoom = 0.22;
 
 /** In a closed room, looks in from above, and cuts more of the scene away while most of the points are hidden; until the user does. */
-function useUncovered(region: Region, depths: Depths | null, frame: Frame) {
-    const own = useRef<{region: Region; cut: number}>({region, cut: 0});
+function useUncovered(about: string, region: Region, depths: Depths | null, frame: Frame) {
     useEffect(() => {
         const {cut} = turn.value;
-        if (own.current.region !== region && cut === own.current.cut) {
-            own.current = {region, cut: 0};
+        if (ownCut.about !== about && cut === ownCut.cut) {
+            Object.assign(ownCut, {about, cut: 0});
             if (cut !== 0) turn.value = {...turn.value, cut: 0, tilt: turn.value.tilt === intoRoom ? startTurn.tilt : turn.value.tilt};
         }
-        if (!depths || depths.frame !== frame || cut !== own.current.cut || cut >= 1) return;
+        if (!depths || depths.frame !== frame || cut !== ownCut.cut || cut >= 1) return;
         const hidden = region.points.filter((point) => partsOf(frame, depths, point, point, 0.02 * region.radius)[0]!.hidden).length;
         if (hidden <= region.points.length / 2) return;
-        own.current = {region, cut: Math.min(1, cut + 0.35)};
-        turn.value = {...turn.value, cut: own.current.cut, tilt: turn.value.tilt === startTurn.tilt ? intoRoom : turn.value.tilt};
-    }, [region, depths]);
+        Object.assign(ownCut, {about, cut: Math.min(1, cut + 0.35)});
+        turn.value = {...turn.value, cut: ownCut.cut, tilt: turn.value.tilt === startTurn.tilt ? intoRoom : turn.value.tilt};
+    }, [about, depths]);
 }
 
 export function SpaceView() {
@@ -108,7 +107,7 @@ export function SpaceView() {
             picture.current?.end();
         };
     }, []);
-    useUncovered(region, depths.value, frame);
+    useUncovered(about, region, depths.value, frame);
     useEffect(() => {
         chosen.value = null;
     }, [documentId.value, explanation?.pixel.join()]);

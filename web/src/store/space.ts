@@ -12,6 +12,8 @@ import {isHere, offsetOf} from './places';
 import {fileName, format, info, notice, services, text} from './state';
 
 export const turn = signal<Turn>(startTurn);
+/** The last cut that the view chose itself, and what it showed: kept while the view moves between the inspector and the picture's place. */
+export const ownCut = {about: '', cut: 0};
 export const isOpen = signal(true);
 /** It takes the place of the picture. */
 export const isLarge = signal(false);
