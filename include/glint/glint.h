@@ -6,6 +6,7 @@
 #include "glint/check.h"
 #include "glint/compare.h"
 #include "glint/conventions.h"
+#include "glint/diagnose.h"
 #include "glint/diagnostic.h"
 #include "glint/explain.h"
 #include "glint/export.h"

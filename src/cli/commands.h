@@ -33,6 +33,8 @@ Run add_check(CLI::App& app);
 Run add_explain(CLI::App& app);
 Run add_compare(CLI::App& app);
 Run add_versus(CLI::App& app);
+Run add_pixels(CLI::App& app);
+Run add_diagnose(CLI::App& app);
 Run add_grade(CLI::App& app);
 Run add_join(CLI::App& app);
 Run add_install_drop_ins(CLI::App& app);

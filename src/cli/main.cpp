@@ -64,6 +64,8 @@ int run(const std::vector<std::string>& arguments) {
         {"explain", add_explain(app)},
         {"compare", add_compare(app)},
         {"versus", add_versus(app)},
+        {"pixels", add_pixels(app)},
+        {"diagnose", add_diagnose(app)},
         {"grade", add_grade(app)},
         {"join", add_join(app)},
         {"install-drop-ins", add_install_drop_ins(app)},

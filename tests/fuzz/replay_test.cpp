@@ -7,6 +7,7 @@
 #include "fuzz/fuzz_load.h"
 #include "fuzz/fuzz_picture.h"
 #include "fuzz/fuzz_scene.h"
+#include "fuzz/fuzz_trace_log.h"
 
 namespace {
 
@@ -43,6 +44,14 @@ TEST(JournalCorpus, EveryFileHasAnAnswer) {
     EXPECT_GE(for_each_text("journal",
                             [](const std::string& bytes, const std::string& path) {
                                 EXPECT_EQ(glint::test::fuzz_journal(bytes), "") << path;
+                            }),
+              10);
+}
+
+TEST(TraceLogCorpus, EveryLogHasAnAnswer) {
+    EXPECT_GE(for_each_text("trace_log",
+                            [](const std::string& text, const std::string& path) {
+                                EXPECT_EQ(glint::test::fuzz_trace_log(text), "") << path;
                             }),
               10);
 }

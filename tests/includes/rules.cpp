@@ -14,9 +14,9 @@ using Names = std::set<std::string_view>;
 Names all_but(const Names& removed) {
     Names names;
     for (const std::string_view name :
-         {"base",  "math",    "simd",   "scene",   "formats", "geometry", "lighting",
-          "bvh",   "world",   "trace",  "explain", "check",   "compare",  "grade",
-          "image", "journal", "output", "os",      "cli",     "mpi",      "wasm"}) {
+         {"base",    "math",   "simd",    "scene", "formats", "geometry", "lighting", "bvh",
+          "world",   "trace",  "explain", "check", "compare", "diagnose", "grade",    "image",
+          "journal", "output", "os",      "cli",   "mpi",     "wasm"}) {
         if (!removed.contains(name)) names.insert(name);
     }
     return names;
@@ -80,24 +80,29 @@ const std::vector<Module>& modules() {
         {"scene", {"base", "math"}, {"fmt/", "fast_float/"}},
         {"formats", {"base", "math", "scene"}, {"fmt/", "fast_float/"}},
         {"world",
-         all_but({"trace", "explain", "check", "compare", "grade", "image", "journal", "output", "os", "cli",
-                  "mpi", "wasm"}),
+         all_but({"trace", "explain", "check", "compare", "diagnose", "grade", "image", "journal", "output",
+                  "os", "cli", "mpi", "wasm"}),
          {"fmt/"}},
         {"trace",
-         all_but({"explain", "check", "compare", "grade", "image", "journal", "output", "os", "cli", "mpi",
-                  "wasm"}),
+         all_but({"explain", "check", "compare", "diagnose", "grade", "image", "journal", "output", "os",
+                  "cli", "mpi", "wasm"}),
          {"fmt/"}},
         {"explain",
-         all_but({"check", "compare", "grade", "image", "journal", "output", "os", "cli", "mpi", "wasm"}),
+         all_but({"check", "compare", "diagnose", "grade", "image", "journal", "output", "os", "cli", "mpi",
+                  "wasm"}),
          {"fmt/", "fast_float/", "nlohmann/"}},
         {"check",
-         all_but({"explain", "compare", "grade", "image", "journal", "output", "os", "cli", "mpi", "wasm"}),
+         all_but({"explain", "compare", "diagnose", "grade", "image", "journal", "output", "os", "cli", "mpi",
+                  "wasm"}),
          {"fmt/", "fast_float/", "nlohmann/"}},
         {"compare",
-         all_but({"explain", "check", "grade", "journal", "output", "os", "cli", "mpi", "wasm"}),
+         all_but({"explain", "check", "diagnose", "grade", "journal", "output", "os", "cli", "mpi", "wasm"}),
+         {"fmt/", "fast_float/", "nlohmann/"}},
+        {"diagnose",
+         all_but({"check", "compare", "grade", "journal", "output", "os", "cli", "mpi", "wasm"}),
          {"fmt/", "fast_float/", "nlohmann/"}},
         {"grade",
-         all_but({"explain", "check", "journal", "output", "os", "cli", "mpi", "wasm"}),
+         all_but({"explain", "check", "diagnose", "journal", "output", "os", "cli", "mpi", "wasm"}),
          {"fmt/", "fast_float/", "nlohmann/"}},
         {"image",
          {"base", "math"},

@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the numbers of a log mean: rows, units, signs, the numbers of shapes and lights.
+#include <algorithm>
+#include <map>
+
+#include "base/text.h"
+#include "diagnose/observe.h"
+
+namespace glint {
+namespace {
+
+constexpr std::size_t k_most_places = 400;
+
+struct Score {
+    std::size_t agree = 0, all = 0;
+};
+
+// How many values of these quantities are as they should be, by the present rules.
+Score score(const LogModel& model, std::initializer_list<Quantity> quantities) {
+    Score result;
+    for_each_place(model, [&](const ObservedPlace& place) {
+        if (std::find(quantities.begin(), quantities.end(), place.quantity) == quantities.end()) return true;
+        const Maybe yours = logged_at(model, place), expected = expected_at(model, place, {});
+        if (!yours || !expected) return true;
+        ++result.all;
+        if (is_same(place.quantity, *yours, *expected)) ++result.agree;
+        return result.all < k_most_places;
+    });
+    return result;
+}
+
+// Values of camera rays and pixels that are near those of the explanation.
+std::size_t count_near(const LogModel& model) {
+    std::size_t near = 0;
+    const std::size_t pixels = std::min(model.log.pixels.size(), k_most_places);
+    for (std::size_t p = 0; p < pixels; ++p) {
+        const LoggedPixel& pixel = model.log.pixels[p];
+        const PixelReference& reference = model.references[p];
+        if (!reference.explanation) continue;
+        if (const auto bytes = pixel.vector(Quantity::bytes)) {
+            const float* v = reference.explanation->value;
+            if (length(*bytes - ApproxVec(Color{255.0 * v[0], 255.0 * v[1], 255.0 * v[2]})).v < 6) ++near;
+        }
+        for (std::size_t r = 0; r < pixel.rays.size(); ++r) {
+            const std::int32_t paired = reference.ray[r];
+            if (pixel.rays[r].parent >= 0 || paired < 0) continue;
+            const ExplainedRay& ray = reference.explanation->rays[static_cast<std::size_t>(paired)];
+            const auto d = pixel.rays[r].vector(Quantity::direction),
+                       p_hit = pixel.rays[r].vector(Quantity::point);
+            const auto o = pixel.rays[r].vector(Quantity::origin);
+            if (o && model.scene.camera.projection == Projection::orthographic &&
+                length(*o - ApproxVec(ray.origin)).v < 1e-3 * (1 + length(*o).v))
+                near += 2;
+            if (d && agree(unit(*d), unit(ApproxVec(ray.direction)), 1e-3)) near += 2;
+            if (p_hit && ray.hit &&
+                length(*p_hit - ApproxVec(ray.hit->point)).v < 1e-3 * (1 + length(*p_hit).v))
+                ++near;
+            if (pixel.rays[r].is_miss && !ray.hit) ++near;
+        }
+    }
+    return near;
+}
+
+void infer_rows(LogModel& model, int threads) {
+    if (model.log.rows_from_bottom) return;
+    const std::size_t as_it_is = count_near(model);
+    if (!model.log.is_printrays && as_it_is > model.log.pixels.size()) return;
+    model.rules.rows_from_bottom = !model.rules.rows_from_bottom;
+    model.explain_pixels(threads);
+    // More than by chance: rows in the middle of a picture are nearly the same either way.
+    const std::size_t reversed = count_near(model);
+    if (reversed > as_it_is + model.log.pixels.size() / 10) return;
+    model.rules.rows_from_bottom = !model.rules.rows_from_bottom;
+    model.explain_pixels(threads);
+}
+
+// Which shape a label is: that which is hit where t or P agree, else that of its name or its number.
+void infer_shapes(LogModel& model) {
+    const TraceLog& log = model.log;
+    std::vector<std::map<std::uint32_t, int>> sure(log.shape_labels.size()), likely(log.shape_labels.size());
+    for (std::size_t p = 0; p < log.pixels.size(); ++p) {
+        const PixelReference& reference = model.references[p];
+        if (!reference.explanation) continue;
+        for (std::size_t r = 0; r < log.pixels[p].rays.size(); ++r) {
+            const LoggedRay& ray = log.pixels[p].rays[r];
+            if (!ray.shape || reference.ray[r] < 0) continue;
+            const ExplainedRay& explained =
+                reference.explanation->rays[static_cast<std::size_t>(reference.ray[r])];
+            if (!explained.hit) continue;
+            const std::uint32_t shape = explained.hit->shape;
+            ++likely[*ray.shape][shape];
+            const auto point = ray.vector(Quantity::point), t = ray.vector(Quantity::t);
+            const double size = length(ApproxVec(explained.direction)).v;
+            const bool agrees =
+                point ? length(*point - ApproxVec(explained.hit->point)).v < 1e-3 * (1 + length(*point).v)
+                : t   ? agree(t->x, explained.t, 1e-3 * explained.t) ||
+                          agree(t->x, explained.t * size, 1e-3 * explained.t * size)
+                    : false;
+            if (agrees) ++sure[*ray.shape][shape];
+        }
+    }
+    std::vector<std::uint32_t>& of = model.rules.shape_of;
+    of.assign(log.shape_labels.size(), k_none);
+    const auto most = [](const std::map<std::uint32_t, int>& votes) {
+        int all = 0;
+        std::pair<std::uint32_t, int> best{k_none, 0};
+        for (const auto& [shape, count] : votes) {
+            all += count;
+            if (count > best.second) best = {shape, count};
+        }
+        return 2 * best.second > all ? best.first : k_none;
+    };
+    std::map<std::int64_t, int> offsets;
+    for (std::size_t l = 0; l < of.size(); ++l) {
+        for (const auto& [index, name] : model.scene.shape_texts.names) {
+            std::string small = name;
+            std::transform(small.begin(), small.end(), small.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+            if (small == log.shape_labels[l].text) of[l] = index;
+        }
+        if (of[l] == k_none) of[l] = most(sure[l]);
+        if (of[l] != k_none && log.shape_labels[l].number) ++offsets[*log.shape_labels[l].number - of[l]];
+    }
+    std::pair<std::int64_t, int> offset{0, 0};
+    for (const auto& one : offsets)
+        if (one.second > offset.second) offset = one;
+    // Without any place that agrees, numbers are those of the scene, from 0 or 1.
+    if (offsets.empty()) {
+        for (const std::int64_t first : {0, 1}) {
+            int fitting = 0;
+            for (std::size_t l = 0; l < of.size(); ++l) {
+                const std::optional<std::int64_t> number = log.shape_labels[l].number;
+                if (!number || *number < first) continue;
+                const auto at = likely[l].find(static_cast<std::uint32_t>(*number - first));
+                if (at != likely[l].end()) fitting += at->second;
+            }
+            if (fitting > offset.second) offset = {first, fitting};
+        }
+    }
+    for (std::size_t l = 0; l < of.size(); ++l) {
+        if (of[l] != k_none) continue;
+        const std::optional<std::int64_t> number = log.shape_labels[l].number;
+        if (number && offset.second > 1 && *number >= offset.first &&
+            *number - offset.first < static_cast<std::int64_t>(model.scene.shapes.size())) {
+            of[l] = static_cast<std::uint32_t>(*number - offset.first);
+        } else if (sure[l].empty()) {
+            of[l] = most(likely[l]);
+        }
+    }
+}
+
+// How often a light's L, distance, N.L or diffuse term is that of a light of the scene.
+void add_light_votes(const LogModel& model, std::size_t p, std::size_t r,
+                     std::vector<std::vector<int>>& votes) {
+    const LoggedRay& ray = model.log.pixels[p].rays[r];
+    const std::int32_t paired = model.references[p].ray[r];
+    const ExplainedRay* explained =
+        paired >= 0 ? &model.references[p].explanation->rays[static_cast<std::size_t>(paired)] : nullptr;
+    const auto own = ray.vector(Quantity::point);
+    if (!own && (explained == nullptr || !explained->hit)) return;
+    const Vec3 point = own ? own->value() : explained->hit->point;
+    for (const LoggedLight& light : ray.lights) {
+        const auto l = light.vector(Quantity::to_light), d = light.vector(Quantity::distance),
+                   diffuse = light.vector(Quantity::diffuse);
+        for (std::uint32_t i = 0; i < model.scene.lights.size(); ++i) {
+            const Light& candidate = model.scene.lights[i];
+            if (candidate.is_ambient()) continue;
+            int& count = votes[light.label][i];
+            const ApproxVec way(candidate.way_from(point));
+            if (l && std::fabs(dot(unit(*l), unit(way)).v) > 0.99999) count += 4;
+            if (d && candidate.has_position() && agree(d->x, length(way), 1e-4 * length(way).v)) count += 4;
+            if (explained == nullptr || !explained->hit) continue;
+            for (const LightTerms& terms : explained->hit->lights) {
+                if (terms.light != i) continue;
+                if (const auto n_l = light.vector(Quantity::n_l); n_l && agree(n_l->x, terms.n_l, 1e-4))
+                    count += 2;
+                const ApproxVec one(terms.diffuse);
+                if (diffuse && terms.diffuse.r + terms.diffuse.g + terms.diffuse.b > 1e-3 &&
+                    (agree(*diffuse, one, 1e-4) || agree(*diffuse, one * Approx(255), 1e-2)))
+                    ++count;
+            }
+        }
+    }
+}
+
+void infer_lights(LogModel& model) {
+    const TraceLog& log = model.log;
+    std::vector<std::vector<int>> votes(log.light_labels.size(),
+                                        std::vector<int>(model.scene.lights.size(), 0));
+    if (log.light_labels.size() > 1000) return;
+    for (std::size_t p = 0; p < std::min(log.pixels.size(), k_most_places); ++p)
+        for (std::size_t r = 0; r < log.pixels[p].rays.size() && model.references[p].explanation; ++r)
+            add_light_votes(model, p, r, votes);
+    std::vector<std::uint32_t> directed;  // without ambient lights
+    for (std::uint32_t i = 0; i < model.scene.lights.size(); ++i)
+        if (!model.scene.lights[i].is_ambient()) directed.push_back(i);
+    // The ways of counting: all lights or those with a direction, from 0 or 1.
+    std::vector<std::uint32_t> best(log.light_labels.size(), k_none);
+    int best_score = -1;
+    for (int way = 0; way < 4; ++way) {
+        std::vector<std::uint32_t> of(log.light_labels.size(), k_none);
+        int sum = 0;
+        bool is_possible = true;
+        for (std::size_t l = 0; l < of.size(); ++l) {
+            if (!log.light_labels[l].number) continue;
+            const std::int64_t number = *log.light_labels[l].number - way % 2;
+            const auto count =
+                static_cast<std::int64_t>(way < 2 ? directed.size() : model.scene.lights.size());
+            if (number < 0 || number >= count) {
+                is_possible = false;
+                continue;
+            }
+            of[l] = way < 2 ? directed[static_cast<std::size_t>(number)] : static_cast<std::uint32_t>(number);
+            if (model.scene.lights[of[l]].is_ambient()) of[l] = k_none;
+            if (of[l] != k_none) sum += votes[l][of[l]];
+        }
+        if (is_possible) ++sum;
+        if (sum > best_score) best_score = sum, best = of;
+    }
+    for (std::size_t l = 0; l < best.size(); ++l) {
+        for (const auto& [index, name] : model.scene.light_texts.names) {
+            std::string small = name;
+            std::transform(small.begin(), small.end(), small.begin(),
+                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+            if (small == log.light_labels[l].text) best[l] = index;
+        }
+        const auto most = std::max_element(votes[l].begin(), votes[l].end());
+        if (most == votes[l].end() || *most == 0) continue;
+        // Another light fits clearly better than the number.
+        const int own = best[l] != k_none ? votes[l][best[l]] : 0;
+        if (*most > 2 * own) best[l] = static_cast<std::uint32_t>(most - votes[l].begin());
+    }
+    model.rules.light_of = best;
+}
+
+void infer_unit_of_t(LogModel& model) {
+    const Score as_it_is = score(model, {Quantity::t, Quantity::point});
+    model.rules.has_unit_t = true;
+    const Score other = score(model, {Quantity::t, Quantity::point});
+    model.rules.has_unit_t = other.agree > as_it_is.agree;
+}
+
+// Whether the log's own products of two vectors have the sign that they have without a turn, where it has
+// both.
+int sign_of_products(const LogModel& model, Quantity turned, Quantity other, Quantity product) {
+    int as_it_is = 0, reversed = 0;
+    for (const LoggedPixel& pixel : model.log.pixels)
+        for (const LoggedRay& ray : pixel.rays)
+            for (const LoggedLight& light : ray.lights) {
+                const auto find = [&](Quantity q) {
+                    return info_of(q).of == QuantityOf::light ? light.vector(q) : ray.vector(q);
+                };
+                const auto a = find(turned), b = find(other), c = find(product);
+                if (!a || !b || !c || std::fabs(c->x.v) < 1e-2) continue;
+                const Approx cosine = dot(unit(*a), unit(*b));
+                if (agree(c->x, cosine, 1e-3)) ++as_it_is;
+                if (agree(c->x, -cosine, 1e-3)) ++reversed;
+            }
+    if (as_it_is + reversed < 3) return 0;
+    return 10 * as_it_is >= 9 * (as_it_is + reversed)   ? 1
+           : 10 * reversed >= 9 * (as_it_is + reversed) ? -1
+                                                        : 0;
+}
+
+// N may be logged before it is turned towards the ray: N.L shows which N is used.
+void infer_turned_normals(LogModel& model) {
+    int turned = 0, as_it_is = 0;
+    for_each_place(model, [&](const ObservedPlace& place) {
+        if (place.quantity != Quantity::n_l) return true;
+        const RayModel ray(model, place.pixel, place.ray);
+        const Maybe n = ray.logged(Quantity::normal), expected = ray.expected(Quantity::normal),
+                    l = ray.used_light(place.light), n_l = ray.logged(Quantity::n_l, place.light);
+        if (!n || !expected || !l || !n_l || n_l->x.v == 0 || !is_same(Quantity::normal, -*n, *expected))
+            return true;
+        const Approx own = dot(unit(*n), unit(*l));
+        if (std::fabs(own.v) < 1e-3) return true;
+        if (agree(n_l->x, own, 1e-5)) ++as_it_is;
+        if (agree(n_l->x, -own, 1e-5)) ++turned;
+        return turned + as_it_is < 400;
+    });
+    model.rules.turns_normals = turned > as_it_is;
+}
+
+// A sign is a convention if what follows is computed as if it were not reversed, or if nothing follows.
+void infer_sign(LogModel& model, double& sign, Quantity quantity, std::initializer_list<Quantity> after) {
+    const Score as_it_is = score(model, {quantity});
+    if (as_it_is.all < 3 || 2 * as_it_is.agree > as_it_is.all) return;
+    const Score then = score(model, after);
+    const double before = sign;
+    sign = -before;
+    const Score reversed = score(model, {quantity}), then_reversed = score(model, after);
+    const bool is_reversed = reversed.agree * 10 >= reversed.all * 9;
+    if (!is_reversed || then_reversed.agree < then.agree ||
+        (then_reversed.all > 0 && then_reversed.agree == then.agree && then.agree == 0))
+        sign = before;
+}
+
+void infer_white(LogModel& model) {
+    const auto& declared = model.log.white;
+    for (int i = 0; i < k_quantities; ++i) {
+        const auto quantity = static_cast<Quantity>(i);
+        if (info_of(quantity).kind != QuantityKind::color || quantity == Quantity::bytes ||
+            quantity == Quantity::weight)
+            continue;
+        double& white = model.rules.white[static_cast<std::size_t>(i)];
+        if (declared) {
+            white = *declared;
+            continue;
+        }
+        std::vector<double> values;
+        const auto add = [&](const LoggedValues& of) {
+            if (const LoggedValue* value = of.find(quantity)) {
+                const Vec3 v = value->value.value();
+                const double most = std::max({v.x, v.y, v.z});
+                if (most > 0 && std::isfinite(most)) values.push_back(most);
+            }
+        };
+        for (const LoggedPixel& pixel : model.log.pixels) {
+            add(pixel);
+            for (const LoggedRay& ray : pixel.rays) {
+                add(ray);
+                for (const LoggedLight& light : ray.lights) add(light);
+            }
+            if (values.size() > 4 * k_most_places) break;
+        }
+        if (values.empty()) continue;
+        const auto large = std::count_if(values.begin(), values.end(), [](double v) { return v > 3; });
+        const Score as_it_is = score(model, {quantity});
+        if (as_it_is.agree == as_it_is.all) continue;
+        white = 255;
+        const Score scaled = score(model, {quantity});
+        const bool is_mostly_large = 2 * static_cast<std::size_t>(large) > values.size();
+        if (scaled.agree < as_it_is.agree || (scaled.agree == as_it_is.agree && !is_mostly_large)) white = 1;
+    }
+}
+
+}  // namespace
+
+void infer_rules(LogModel& model, int threads) {
+    model.rules.shape_of.assign(model.log.shape_labels.size(), k_none);
+    model.rules.light_of.assign(model.log.light_labels.size(), k_none);
+    infer_rows(model, threads);
+    infer_shapes(model);
+    infer_unit_of_t(model);
+    infer_lights(model);
+    // L reversed, and N.L nevertheless right, and so on.
+    if (sign_of_products(model, Quantity::to_light, Quantity::normal, Quantity::n_l) < 0) {
+        // Or N is reversed.
+        const Score right = score(model, {Quantity::to_light});
+        if (2 * right.agree < right.all) model.rules.light_sign = -1;
+    }
+    infer_turned_normals(model);
+    if (sign_of_products(model, Quantity::reflected, Quantity::view, Quantity::r_v) < 0) {
+        const Score right = score(model, {Quantity::view});
+        (2 * right.agree >= right.all ? model.rules.reflected_sign : model.rules.view_sign) = -1;
+    }
+    infer_sign(model, model.rules.view_sign, Quantity::view, {Quantity::r_v, Quantity::n_h});
+    infer_sign(model, model.rules.light_sign, Quantity::to_light, {Quantity::n_l, Quantity::diffuse});
+    infer_sign(model, model.rules.reflected_sign, Quantity::reflected, {Quantity::r_v, Quantity::power});
+    infer_white(model);
+    const Score relative = score(model, {Quantity::weight});
+    if (relative.agree < relative.all) {
+        model.rules.weight_is_product = true;
+        const Score product = score(model, {Quantity::weight});
+        model.rules.weight_is_product = product.agree > relative.agree;
+    }
+}
+
+}  // namespace glint

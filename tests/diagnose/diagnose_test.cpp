@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// Logs of glint itself have no finding, whatever their conventions; a mistake in them is found.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "diagnose/own_log.h"
+#include "math/transform.h"
+
+namespace glint::test {
+namespace {
+
+std::string text_of(const std::string& scene) {
+    std::ifstream file(GLINT_SOURCE "/scenes/" + scene);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+OwnScene scene_of(const std::string& name) { return own_scene(text_of(name), name); }
+
+class OwnScenes : public testing::TestWithParam<const char*> {};
+
+TEST_P(OwnScenes, DoNotDifferFromThemselves) {
+    const OwnScene own = scene_of(GetParam());
+    EXPECT_EQ(first_finding(own, OwnLog{}.write(own)), "");
+    OwnLog json;
+    json.is_json = true;
+    EXPECT_EQ(first_finding(own, json.write(own)), "");
+    OwnLog rounded;
+    rounded.decimals = 5;
+    EXPECT_EQ(first_finding(own, rounded.write(own)), "");
+    OwnLog other;
+    other.to_light = [](Vec3 v) { return -v; };
+    other.color = [](Color c) { return c * 255; };
+    EXPECT_EQ(first_finding(own, other.write(own)), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, OwnScenes,
+                         testing::Values("cgfs/three_mirrors.cgfs", "cgfs/three_spheres.cgfs",
+                                         "epfl/castle.json", "epfl/mirror_room.json", "csc473/cone_tower.pov",
+                                         "csc473/glass_ball.pov", "nff/pyramid.nff", "glint/lit_sphere.glint",
+                                         "glint/attenuation.glint", "glint/three_spots.glint",
+                                         "glint/hall_of_mirrors.glint", "glint/finishes.glint",
+                                         "glint/window.glint", "glint/glass.glint"),
+                         [](const auto& param) {
+                             std::string name = param.param;
+                             for (char& c : name)
+                                 if (c == '/' || c == '.') c = '_';
+                             return name;
+                         });
+
+TEST(Diagnose, ReversedVectors) {
+    const OwnScene own = scene_of("cgfs/three_mirrors.cgfs");
+    OwnLog log;
+    log.normal = [](Vec3 v) { return -v; };
+    log.has_n_l = false;
+    EXPECT_EQ(first_finding(own, log.write(own)), "N: normal-reversed");
+    // N.L shows that N is turned before it is used.
+    log.has_n_l = true;
+    EXPECT_EQ(first_finding(own, log.write(own)), "");
+}
+
+TEST(Diagnose, ABlackAmbientTermIsNotTheColorsScale) {
+    const OwnScene own = scene_of("glint/lit_sphere.glint");
+    OwnLog log;
+    log.color = [](Color c) { return c * 0.5; };
+    const std::string found = first_finding(own, log.write(own));
+    EXPECT_NE(found, "");
+    EXPECT_EQ(found.find("L:"), std::string::npos) << found;
+}
+
+TEST(Diagnose, NotANumber) {
+    const OwnScene own = scene_of("cgfs/three_mirrors.cgfs");
+    std::string log = OwnLog{}.write(own);
+    const std::size_t at = log.find("N.L ");
+    log.replace(at + 4, log.find('\n', at) - at - 4, "-nan");
+    const Result<Diagnosis> result = diagnose(own.scene, own.world, log);
+    ASSERT_TRUE(result);
+    ASSERT_FALSE(result->findings.empty());
+    EXPECT_EQ(result->findings[0].quantity, "N.L");
+    EXPECT_EQ(result->findings[0].relation, "yours is not a number");
+    EXPECT_FALSE(result->findings[0].is_sure);
+}
+
+TEST(Diagnose, FewerThanThreePixelsAreNotSure) {
+    const OwnScene own = scene_of("cgfs/three_mirrors.cgfs");
+    OwnLog log;
+    log.has_n_l = false;
+    log.normal = [](Vec3 v) { return -v; };
+    const Explanation e = explain(own.scene, own.world, 30, 30).value();
+    std::string text = "pixel 30 30\n";
+    log.add_ray(text, e, 0);
+    EXPECT_EQ(first_finding(own, text), "N: normal-reversed (likely)");
+}
+
+TEST(Diagnose, LogsThatCannotBeCompared) {
+    const OwnScene own = scene_of("cgfs/three_mirrors.cgfs");
+    const auto message = [&](std::string_view log) { return diagnose(own.scene, own.world, log).message; };
+    EXPECT_EQ(message(""), "log: the log has no line `pixel X Y`");
+    EXPECT_EQ(message("pixel 100 100\nray camera\n"), "log: no pixel of the log is in the picture of 64x48");
+    EXPECT_EQ(message("size 50 50\npixel 1 1\nray camera\n"),
+              "log: the log is of a picture of 50x50 pixels, the scene's has 64x48: give its size");
+    EXPECT_EQ(message("pixel 1 1\nray camera\nN 1\nt 1\n"), "log:3:1: expected 3 numbers after 'N', found 1");
+}
+
+TEST(Diagnose, DoesNotDependOnThreads) {
+    const OwnScene own = scene_of("epfl/castle.json");
+    OwnLog log;
+    log.to_light = [](Vec3 v) { return Vec3{v.y, v.x, v.z}; };
+    const std::string text = log.write(own);
+    DiagnoseOptions one, four;
+    one.threads = 1, four.threads = 4;
+    EXPECT_EQ(diagnosis_json(*diagnose(own.scene, own.world, text, one), own.scene).value(),
+              diagnosis_json(*diagnose(own.scene, own.world, text, four), own.scene).value());
+}
+
+TEST(ProposedPixels, AreOfEachKind) {
+    const OwnScene own = scene_of("cgfs/three_mirrors.cgfs");
+    Rendering mine = render(own.world).value();
+    EXPECT_TRUE(propose_pixels(own.scene, own.world, mine.image).value().empty());
+    for (float& v : mine.image.rgb) v *= 0.8f;
+    const std::vector<ProposedPixel> proposed = propose_pixels(own.scene, own.world, mine.image).value();
+    EXPECT_EQ(proposed.size(), 12u);
+    std::set<std::string> kinds;
+    for (const ProposedPixel& p : proposed) kinds.insert(p.kind);
+    EXPECT_GE(kinds.size(), 3u);
+    mine.image.width = 10;
+    EXPECT_FALSE(propose_pixels(own.scene, own.world, mine.image));
+}
+
+}  // namespace
+}  // namespace glint::test
