@@ -10,85 +10,13 @@
 #include <iterator>
 #include <set>
 
+#include "diagnose/conditions.h"
+
 namespace glint {
 namespace {
 
 constexpr std::size_t k_most_wrong = 240, k_most_right = 480;
 constexpr std::size_t k_sure_pixels = 3;
-
-// A condition on places: "only where the ray comes from inside".
-struct Condition {
-    std::string words;
-    std::function<bool(const ObservedPlace&)> holds;
-    bool is_of_shape = false;
-};
-
-// What a place is like, for conditions.
-class PlaceFacts {
-  public:
-    explicit PlaceFacts(const LogModel& model) : model_(model) {}
-
-    const LoggedRay* ray(const ObservedPlace& place) const {
-        return place.ray < 0 ? nullptr
-                             : &model_.log.pixels[place.pixel].rays[static_cast<std::size_t>(place.ray)];
-    }
-    std::optional<std::uint32_t> shape(const ObservedPlace& place) const {
-        if (place.ray < 0) return std::nullopt;
-        const auto shape = RayModel(model_, place.pixel, place.ray).shape();
-        return shape && *shape != k_none ? shape : std::nullopt;
-    }
-    std::vector<Condition> conditions() const;
-
-  private:
-    const LogModel& model_;
-};
-
-std::vector<Condition> PlaceFacts::conditions() const {
-    std::vector<Condition> list;
-    list.push_back({"in mirror and glass rays", [this](const ObservedPlace& p) {
-                        const LoggedRay* r = ray(p);
-                        return r != nullptr && r->generation > 0;
-                    }});
-    list.push_back({"in camera rays", [this](const ObservedPlace& p) {
-                        const LoggedRay* r = ray(p);
-                        return r != nullptr && r->generation == 0;
-                    }});
-    list.push_back({"in glass rays", [this](const ObservedPlace& p) {
-                        const LoggedRay* r = ray(p);
-                        return r != nullptr && r->kind == LoggedRayKind::glass;
-                    }});
-    list.push_back({"where the ray comes from inside", [this](const ObservedPlace& p) {
-                        if (p.ray < 0) return false;
-                        const RayModel r(model_, p.pixel, p.ray);
-                        const Maybe inside = r.expected(Quantity::inside);
-                        return inside && inside->x.v != 0;
-                    }});
-    for (int k = 0; k < k_shape_kinds; ++k) {
-        const auto kind = static_cast<ShapeKind>(k);
-        list.push_back({fmt::format("on shapes of the kind {}", to_string(kind)),
-                        [this, kind](const ObservedPlace& p) {
-                            const auto s = shape(p);
-                            return s && model_.scene.shapes[*s].kind == kind;
-                        },
-                        true});
-    }
-    for (int k = 0; k < k_light_kinds; ++k) {
-        const auto kind = static_cast<LightKind>(k);
-        list.push_back({fmt::format("with lights of the kind {}", to_string(kind)),
-                        [this, kind](const ObservedPlace& p) {
-                            return p.light != k_none && model_.scene.lights[p.light].kind == kind;
-                        }});
-    }
-    list.push_back({"where N.L is below 0", [this](const ObservedPlace& p) {
-                        if (p.light == k_none) return false;
-                        const Maybe n_l = RayModel(model_, p.pixel, p.ray).value(Quantity::n_l, p.light);
-                        return n_l && n_l->x.v < 0;
-                    }});
-    for (std::uint32_t l = 0; l < std::min<std::size_t>(model_.scene.lights.size(), 16); ++l)
-        list.push_back({fmt::format("with light {} of the scene", l + 1),
-                        [l](const ObservedPlace& p) { return p.light == l; }});
-    return list;
-}
 
 template <class List> List thinned(const List& list, std::size_t most) {
     if (list.size() <= most) return list;
@@ -110,11 +38,7 @@ struct TrialResult {
 class ReasonFinder {
   public:
     ReasonFinder(const LogModel& model, const std::vector<Observation>& observations, Quantity quantity)
-        : model_(model),
-          all_(observations),
-          quantity_(quantity),
-          facts_(model),
-          conditions_(facts_.conditions()) {
+        : model_(model), all_(observations), quantity_(quantity), conditions_(place_conditions(model)) {
         std::vector<std::size_t> wrong;
         for (std::size_t i = 0; i < all_.size(); ++i) {
             if (all_[i].verdict == Verdict::right && all_[i].place.quantity <= quantity)
@@ -378,7 +302,6 @@ class ReasonFinder {
     const LogModel& model_;
     const std::vector<Observation>& all_;
     Quantity quantity_;
-    PlaceFacts facts_;
     std::vector<Condition> conditions_;
     std::vector<std::size_t> every_wrong_, wrong_;              // the second: those that are tried
     std::array<std::vector<std::size_t>, k_quantities> right_;  // by quantity, up to this one

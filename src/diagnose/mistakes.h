@@ -189,6 +189,11 @@ enum class TracerMistake : std::uint8_t {
 };
 inline constexpr int k_mistakes = static_cast<int>(TracerMistake::bytes_signed) + 1;
 
+/// Whether it changes the rays of the camera.
+inline bool is_of_camera(TracerMistake mistake) {
+    return mistake >= TracerMistake::columns_mirrored && mistake <= TracerMistake::viewport_point;
+}
+
 struct MistakeInfo {
     TracerMistake mistake;
     std::string_view id;

@@ -16,6 +16,12 @@ inline constexpr double k_pi = 3.14159265358979323846;
 /// The least distance of hits from the start of a secondary ray, which may lie a little below the surface.
 inline double least_distance(Vec3 origin) { return 1e-9 * std::max(1.0, length(ApproxVec(origin)).v); }
 
+/// How far the origin of a ray may be away from the surface that it leaves.
+inline double leaving_distance(Vec3 origin) { return 2e-3 * std::max(1.0, length(ApproxVec(origin)).v); }
+
+/// A length by which a curved shape's normal changes; 0 for flat shapes and others.
+double radius_of(const Scene& scene, const Shape& shape);
+
 /// The nearest hit of a ray. shape k_none: it hits nothing; `known` false: it cannot be said.
 struct HitModel {
     bool known = false, is_reference = false;

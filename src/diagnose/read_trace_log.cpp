@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "base/text.h"
+#include "diagnose/log_keys.h"
 #include "diagnose/log_line.h"
 #include "diagnose/trace_log.h"
 
@@ -13,105 +14,6 @@ namespace glint {
 namespace {
 
 constexpr std::size_t k_max_rays = 4'000'000, k_max_pixel_rays = 100'000, k_max_pixels = 1'000'000;
-
-enum class KeyUse : std::uint8_t {
-    none,
-    size,
-    rows,
-    colors,
-    pixel,
-    ray,
-    light,
-    miss,
-    shape,
-    end,
-    visible,
-    color,
-    diffuse,
-    specular
-};
-
-struct LogKey {
-    std::string_view name;  // as key_of() writes it
-    KeyUse use;
-    Quantity quantity = Quantity::origin;
-};
-
-std::span<const LogKey> log_keys() {
-    using enum Quantity;
-    static constexpr LogKey keys[] = {
-        {"size", KeyUse::size},
-        {"rows", KeyUse::rows},
-        {"colors", KeyUse::colors},
-        {"pixel", KeyUse::pixel},
-        {"ray", KeyUse::ray},
-        {"light", KeyUse::light},
-        {"miss", KeyUse::miss},
-        {"shape", KeyUse::shape},
-        {"object", KeyUse::shape},
-        {"end", KeyUse::end},
-        {"visible", KeyUse::visible},
-        {"lit", KeyUse::visible},
-        {"color", KeyUse::color},
-        {"diffuse", KeyUse::diffuse},
-        {"specular", KeyUse::specular},
-        {"origin", KeyUse::none, origin},
-        {"o", KeyUse::none, origin},
-        {"direction", KeyUse::none, direction},
-        {"dir", KeyUse::none, direction},
-        {"d", KeyUse::none, direction},
-        {"t", KeyUse::none, t},
-        {"p", KeyUse::none, point},
-        {"point", KeyUse::none, point},
-        {"intersection", KeyUse::none, point},
-        {"n", KeyUse::none, normal},
-        {"normal", KeyUse::none, normal},
-        {"v", KeyUse::none, view},
-        {"view", KeyUse::none, view},
-        {"inside", KeyUse::none, inside},
-        {"l", KeyUse::none, to_light},
-        {"tolight", KeyUse::none, to_light},
-        {"distance", KeyUse::none, distance},
-        {"dist", KeyUse::none, distance},
-        {"attenuation", KeyUse::none, attenuation},
-        {"att", KeyUse::none, attenuation},
-        {"spot", KeyUse::none, spot},
-        {"nl", KeyUse::none, n_l},
-        {"ndotl", KeyUse::none, n_l},
-        {"r", KeyUse::none, reflected},
-        {"h", KeyUse::none, half},
-        {"half", KeyUse::none, half},
-        {"rv", KeyUse::none, r_v},
-        {"rdotv", KeyUse::none, r_v},
-        {"nh", KeyUse::none, n_h},
-        {"ndoth", KeyUse::none, n_h},
-        {"power", KeyUse::none, power},
-        {"blocked", KeyUse::none, blocked},
-        {"shadowed", KeyUse::none, blocked},
-        {"ambient", KeyUse::none, ambient},
-        {"emission", KeyUse::none, emission},
-        {"local", KeyUse::none, local},
-        {"weight", KeyUse::none, weight},
-        {"pixelcolor", KeyUse::none, pixel_color},
-        {"clamped", KeyUse::none, clamped},
-        {"bytes", KeyUse::none, bytes},
-        {"rgb", KeyUse::none, bytes},
-    };
-    return keys;
-}
-
-const LogKey* find_key(std::string_view name) {
-    const auto at =
-        std::find_if(log_keys().begin(), log_keys().end(), [&](const LogKey& k) { return k.name == name; });
-    return at != log_keys().end() ? &*at : nullptr;
-}
-
-std::string_view nearest_key(std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const LogKey& key : log_keys())
-        if (key.name.size() > 2) names.push_back(key.name);
-    return nearest_word(name, names);
-}
 
 class LogReader {
   public:
@@ -183,7 +85,7 @@ class LogReader {
             const std::string_view near = nearest_key(item.key);
             diagnostics_.warn_once(
                 item.key, text_, place_, item.key.size(),
-                fmt::format("the key {} is unknown and is skipped{}", quoted(item.written),
+                fmt::format("the key {} is unknown and is skipped{}", glint::quoted(item.written),
                             near.empty() ? "" : fmt::format("; did you mean `{}`?", near)));
             return;
         }
@@ -192,8 +94,8 @@ class LogReader {
                 return read_size();
             case KeyUse::rows:
                 if (item.word != "top" && item.word != "bottom")
-                    return error(
-                        fmt::format("expected `rows top` or `rows bottom`, found {}", quoted(item.word)));
+                    return error(fmt::format("expected `rows top` or `rows bottom`, found {}",
+                                             glint::quoted(item.word)));
                 log_.rows_from_bottom = item.word == "bottom";
                 return;
             case KeyUse::colors:
@@ -236,8 +138,8 @@ class LogReader {
     bool has_count(std::size_t count) {
         if (item_->numbers.size() == count) return true;
         error(fmt::format("expected {} after {}, found {}",
-                          count == 1 ? "a number" : fmt::format("{} numbers", count), quoted(item_->written),
-                          item_->numbers.size()));
+                          count == 1 ? "a number" : fmt::format("{} numbers", count),
+                          glint::quoted(item_->written), item_->numbers.size()));
         return false;
     }
 
@@ -316,21 +218,21 @@ class LogReader {
 
     LoggedPixel* open_pixel() {
         if (!log_.pixels.empty()) return &log_.pixels.back();
-        error(fmt::format("expected `pixel X Y` before {}", quoted(item_->written)));
+        error(fmt::format("expected `pixel X Y` before {}", glint::quoted(item_->written)));
         return nullptr;
     }
     LoggedRay* open_ray() {
         LoggedPixel* pixel = open_pixel();
         if (pixel == nullptr) return nullptr;
         if (ray_ >= 0) return &pixel->rays[static_cast<std::size_t>(ray_)];
-        error(fmt::format("expected `ray camera` before {}", quoted(item_->written)));
+        error(fmt::format("expected `ray camera` before {}", glint::quoted(item_->written)));
         return nullptr;
     }
     LoggedLight* open_light() {
         LoggedRay* ray = open_ray();
         if (ray == nullptr) return nullptr;
         if (light_ >= 0) return &ray->lights[static_cast<std::size_t>(light_)];
-        error(fmt::format("expected `light NUMBER` before {}", quoted(item_->written)));
+        error(fmt::format("expected `light NUMBER` before {}", glint::quoted(item_->written)));
         return nullptr;
     }
 
@@ -364,7 +266,7 @@ class LogReader {
             ray.kind = LoggedRayKind::glass;
         } else {
             return error(fmt::format("expected `camera`, `mirror`, `glass` or `shadow` after `ray`, found {}",
-                                     quoted(kind)));
+                                     glint::quoted(kind)));
         }
         if (++rays_ > k_max_rays || pixel->rays.size() >= k_max_pixel_rays)
             return error(
@@ -481,7 +383,7 @@ class LogReader {
 
     void add(LoggedValues& of, Quantity quantity, const ApproxVec& value) {
         if (of.find(quantity) != nullptr)
-            return error(fmt::format("{} is given twice", quoted(item_->written)));
+            return error(fmt::format("{} is given twice", glint::quoted(item_->written)));
         of.list.push_back({quantity, line_, value});
         ++log_.values;
     }
