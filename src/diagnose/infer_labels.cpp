@@ -3,9 +3,23 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
+#include <unordered_map>
 
 namespace glint {
 namespace {
+
+// The scene's names in small letters, as the reader has those of the log.
+std::unordered_map<std::string, std::uint32_t> indices_by_name(const ItemTexts& texts) {
+    std::unordered_map<std::string, std::uint32_t> indices;
+    for (const auto& [index, name] : texts.names) {
+        std::string small = name;
+        std::transform(small.begin(), small.end(), small.begin(),
+                       [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+        indices.emplace(std::move(small), index);
+    }
+    return indices;
+}
 
 // How often a light's L, distance, N.L or diffuse term is that of a light of the scene.
 void add_light_votes(const LogModel& model, std::size_t p, std::size_t r,
@@ -79,14 +93,11 @@ void infer_shapes(LogModel& model) {
         }
         return 2 * best.second > all ? best.first : k_none;
     };
+    const auto names = indices_by_name(model.scene.shape_texts);
     std::map<std::int64_t, int> offsets;
     for (std::size_t l = 0; l < of.size(); ++l) {
-        for (const auto& [index, name] : model.scene.shape_texts.names) {
-            std::string small = name;
-            std::transform(small.begin(), small.end(), small.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-            if (small == log.shape_labels[l].text) of[l] = index;
-        }
+        if (const auto named = names.find(log.shape_labels[l].text); named != names.end())
+            of[l] = named->second;
         if (of[l] == k_none) of[l] = most(sure[l]);
         if (of[l] != k_none && log.shape_labels[l].number) ++offsets[*log.shape_labels[l].number - of[l]];
     }
@@ -120,9 +131,9 @@ void infer_shapes(LogModel& model) {
 
 void infer_lights(LogModel& model) {
     const TraceLog& log = model.log;
+    if (log.light_labels.size() > 1000) return;
     std::vector<std::vector<int>> votes(log.light_labels.size(),
                                         std::vector<int>(model.scene.lights.size(), 0));
-    if (log.light_labels.size() > 1000) return;
     for (std::size_t p = 0; p < std::min(log.pixels.size(), k_most_places); ++p)
         for (std::size_t r = 0; r < log.pixels[p].rays.size() && model.references[p].explanation; ++r)
             add_light_votes(model, p, r, votes);
@@ -152,13 +163,10 @@ void infer_lights(LogModel& model) {
         if (is_possible) ++sum;
         if (sum > best_score) best_score = sum, best = of;
     }
+    const auto names = indices_by_name(model.scene.light_texts);
     for (std::size_t l = 0; l < best.size(); ++l) {
-        for (const auto& [index, name] : model.scene.light_texts.names) {
-            std::string small = name;
-            std::transform(small.begin(), small.end(), small.begin(),
-                           [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-            if (small == log.light_labels[l].text) best[l] = index;
-        }
+        if (const auto named = names.find(log.light_labels[l].text); named != names.end())
+            best[l] = named->second;
         const auto most = std::max_element(votes[l].begin(), votes[l].end());
         if (most == votes[l].end() || *most == 0) continue;
         // Another light fits clearly better than the number.

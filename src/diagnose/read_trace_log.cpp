@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <unordered_map>
 
 #include "base/text.h"
 #include "diagnose/log_keys.h"
@@ -13,7 +15,8 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t k_max_rays = 4'000'000, k_max_pixel_rays = 100'000, k_max_pixels = 1'000'000;
+constexpr std::size_t k_max_rays = 4'000'000, k_max_pixel_rays = 20'000, k_max_pixels = 1'000'000,
+                      k_max_lights = 4096;
 
 class LogReader {
   public:
@@ -163,6 +166,7 @@ class LogReader {
         finish_pixel();
         if (log_.pixels.size() == k_max_pixels)
             return error(fmt::format("a log has at most {} pixels", k_max_pixels));
+        number_index_.clear();
         LoggedPixel& pixel = log_.pixels.emplace_back();
         pixel.line = line_;
         pixel.x = static_cast<std::int32_t>(item_->numbers[0].v);
@@ -240,10 +244,10 @@ class LogReader {
         LoggedPixel* pixel = open_pixel();
         if (pixel == nullptr) return;
         const std::string& kind = item_->word;
-        const auto find_number = [&](double number) {
-            const auto at = std::find_if(pixel->rays.begin(), pixel->rays.end(),
-                                         [&](const LoggedRay& r) { return r.number == number; });
-            return at != pixel->rays.end() ? static_cast<std::int32_t>(at - pixel->rays.begin()) : -1;
+        const auto find_number = [&](double number) -> std::int32_t {
+            if (!(number >= 0 && number < 1e9)) return -1;
+            const auto at = number_index_.find(static_cast<std::int32_t>(number));
+            return at != number_index_.end() ? at->second : -1;
         };
         if (kind.empty()) {
             if (!has_count(1)) return;
@@ -290,12 +294,19 @@ class LogReader {
                 "a {} ray starts from the hit of another ray: expected `ray camera` before", kind));
         if (ray.parent >= 0)
             ray.generation = pixel->rays[static_cast<std::size_t>(ray.parent)].generation + 1;
+        if (ray.generation > k_max_reflections)
+            return error(fmt::format("at most {} rays may follow each other: is an `end` missing?",
+                                     k_max_reflections));
+        if (ray.number >= 0) number_index_.emplace(ray.number, static_cast<std::int32_t>(pixel->rays.size()));
         pixel->rays.push_back(std::move(ray));
         ray_ = static_cast<std::int32_t>(pixel->rays.size()) - 1, light_ = -1;
         in_shadow_ray_ = false;
     }
 
-    std::uint32_t label(std::vector<LogLabel>& labels) {
+    /// The labels of lights or shapes, by their text.
+    using LabelIndex = std::unordered_map<std::string, std::uint32_t>;
+
+    std::uint32_t label(std::vector<LogLabel>& labels, LabelIndex& index) {
         LogLabel wanted;
         if (item_->word.empty() && !item_->numbers.empty()) {
             wanted.number = static_cast<std::int64_t>(std::clamp(item_->numbers[0].v, -1e9, 1e9));
@@ -303,11 +314,9 @@ class LogReader {
         } else {
             wanted.text = item_->word;
         }
-        const auto at = std::find_if(labels.begin(), labels.end(),
-                                     [&](const LogLabel& l) { return l.text == wanted.text; });
-        if (at != labels.end()) return static_cast<std::uint32_t>(at - labels.begin());
-        labels.push_back(std::move(wanted));
-        return static_cast<std::uint32_t>(labels.size() - 1);
+        const auto [at, is_new] = index.emplace(wanted.text, static_cast<std::uint32_t>(labels.size()));
+        if (is_new) labels.push_back(std::move(wanted));
+        return at->second;
     }
 
     void read_light() {
@@ -320,7 +329,11 @@ class LogReader {
         }
         if (item_->word.empty() && item_->numbers.size() != 1)
             return error("expected `light NUMBER` or `light NAME`");
-        const std::uint32_t wanted = label(log_.light_labels);
+        if (item_->word.empty() && !std::isfinite(item_->numbers[0].v))
+            return error("expected a light's number");
+        if (ray->lights.size() >= k_max_lights)
+            return error(fmt::format("a hit has at most {} lights", k_max_lights));
+        const std::uint32_t wanted = label(log_.light_labels, light_index_);
         const auto same = std::find_if(ray->lights.begin(), ray->lights.end(),
                                        [&](const LoggedLight& l) { return l.label == wanted; });
         light_ = static_cast<std::int32_t>(same - ray->lights.begin());
@@ -335,11 +348,13 @@ class LogReader {
         if (ray == nullptr || in_shadow_ray_) return;
         if (item_->word.empty() && item_->numbers.size() != 1)
             return error("expected `shape NUMBER` or `shape NAME`");
+        if (item_->word.empty() && !std::isfinite(item_->numbers[0].v))
+            return error("expected a shape's number");
         const bool is_none = item_->word == "none" || (item_->word.empty() && item_->numbers[0].v < 0);
         if (is_none) {
             ray->is_miss = true;
         } else {
-            ray->shape = label(log_.shape_labels);
+            ray->shape = label(log_.shape_labels, shape_index_);
         }
         add(*ray, Quantity::hit, {});
     }
@@ -394,6 +409,8 @@ class LogReader {
     LogDigits digits_;
     const LogItem* item_ = nullptr;
     std::size_t start_ = 0, place_ = 0, rays_ = 0;
+    LabelIndex light_index_, shape_index_;
+    std::unordered_map<std::int32_t, std::int32_t> number_index_;  // of the pixel's rays that have numbers
     std::size_t ends_ = 0;
     std::uint32_t line_ = 0;
     std::int32_t ray_ = -1, light_ = -1;

@@ -138,8 +138,11 @@ TEST(TraceLog, ErrorsNameTheLine) {
 
 TEST(TraceLog, TooManyRaysAreRefused) {
     std::string text = "pixel 0 0\nray camera\n";
-    for (int i = 0; i < 100'001; ++i) text += "ray mirror\n";
-    EXPECT_EQ(first_message(text), "100002:1: a pixel has at most 100000 rays, and a log 4000000");
+    for (int i = 0; i < 20'001; ++i) text += "ray mirror\nend\n";
+    EXPECT_EQ(first_message(text), "40001:1: a pixel has at most 20000 rays, and a log 4000000");
+    text = "pixel 0 0\nray camera\n";
+    for (int i = 0; i < 1001; ++i) text += "ray mirror\n";
+    EXPECT_EQ(first_message(text), "1003:1: at most 1000 rays may follow each other: is an `end` missing?");
 }
 
 }  // namespace
