@@ -40,7 +40,7 @@ struct DiagnosedRow {
     std::string_view quantity;     ///< its key
     std::uint32_t line = 0;        ///< of the log, from 1; 0: it has no line
     enum class Verdict : std::uint8_t { right, wrong, unknown } verdict = Verdict::unknown;
-    /// What it should be follows from the log's own earlier values; `glint` is glint's own value.
+    /// What it should be follows from the log's own earlier values.
     DiagnosedValue yours, expected;
 };
 

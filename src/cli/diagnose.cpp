@@ -69,9 +69,9 @@ std::string finding_text(const DiagnosisFinding& finding, const Diagnosis& diagn
     std::string word(finding.word);
     if (word.starts_with("the ") || word.starts_with("whether "))
         word.front() = static_cast<char>(word.front() - 'a' + 'A');
-    fmt::format_to(out, "{}{} is wrong in {} of {}", word,
-                   finding.quantity == "children" ? " (its number)" : "", finding.pixels,
-                   counted(diagnosis.pixels, "pixel"));
+    fmt::format_to(
+        out, "{}{} {} wrong in {} of {}", word, finding.quantity == "children" ? " (its number)" : "",
+        finding.quantity == "bytes" ? "are" : "is", finding.pixels, counted(diagnosis.pixels, "pixel"));
     if (finding.first_pixels > 0)
         fmt::format_to(out, ", in {} as the first difference", finding.first_pixels);
     if (!finding.only.empty()) fmt::format_to(out, "; only {}", finding.only);
@@ -191,7 +191,7 @@ int diagnose_command(DiagnoseArguments& arguments) {
     } else {
         print_text(diagnosis_text(*diagnosis, scene));
     }
-    return diagnosis->findings.empty() ? k_done : k_bad_input;
+    return diagnosis->findings.empty() && diagnosis->judged > 0 ? k_done : k_bad_input;
 }
 
 }  // namespace

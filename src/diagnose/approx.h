@@ -32,7 +32,7 @@ inline Approx operator/(Approx a, Approx b) {
     const double q = a.v / b.v, least = std::fabs(b.v) - b.e;
     return rounded(q, least > 0 ? (a.e + std::fabs(q) * b.e) / least : std::fabs(q) + a.e);
 }
-inline Approx max(Approx a, Approx b) { return a.v >= b.v ? Approx{a.v, std::max(a.e, b.e)} : max(b, a); }
+inline Approx max(Approx a, Approx b) { return {b.v > a.v ? b.v : a.v, std::max(a.e, b.e)}; }
 inline Approx min(Approx a, Approx b) { return -max(-a, -b); }
 inline Approx abs(Approx a) { return {std::fabs(a.v), a.e}; }
 inline Approx sqrt(Approx a) {
@@ -49,6 +49,8 @@ inline Approx pow(Approx x, double y) {
     return rounded(v, std::max(std::fabs(above - v), std::fabs(v - below)) + 4 * k_single_rounding * v);
 }
 
+inline bool is_finite(Approx a) { return std::isfinite(a.v) && std::isfinite(a.e); }
+
 /// Whether two values may be the same.
 inline bool agree(Approx a, Approx b, double slack = 0) { return std::fabs(a.v - b.v) <= a.e + b.e + slack; }
 
@@ -63,6 +65,7 @@ struct ApproxVec {
     double error() const { return std::max({x.e, y.e, z.e}); }
 };
 
+inline bool is_finite(const ApproxVec& a) { return is_finite(a.x) && is_finite(a.y) && is_finite(a.z); }
 inline ApproxVec operator-(const ApproxVec& a) { return {-a.x, -a.y, -a.z}; }
 inline ApproxVec operator+(const ApproxVec& a, const ApproxVec& b) {
     return {a.x + b.x, a.y + b.y, a.z + b.z};

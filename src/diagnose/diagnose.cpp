@@ -173,7 +173,7 @@ std::string relation_of(const std::vector<Observation>& all, const std::vector<s
             ++count;
         }
     }
-    if (!ratio || count < 3) return {};
+    if (!ratio || count < 3 || std::fabs(*ratio - 1) < 5e-3) return {};
     return fmt::format("yours is {:.4g} times what it should be", *ratio);
 }
 
@@ -291,6 +291,9 @@ Result<Diagnosis> diagnose(const Scene& scene, const World& world, std::string_v
         const DefaultFpEnvironment environment;
         if (std::string fault = world_fault(scene, world.parts()); !fault.empty())
             return invalid_argument(std::move(fault));
+        if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+            return failure(ErrorCode::parse,
+                           fmt::format("{}: the log is UTF-16: save it as UTF-8", options.name));
         Diagnostics diagnostics;
         const TraceLog log = read_trace_log({options.name, text}, diagnostics);
         if (diagnostics.any_errors()) return failure(ErrorCode::parse, diagnostics.take());

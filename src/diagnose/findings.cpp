@@ -233,7 +233,9 @@ class ReasonFinder {
         const auto moves_pixel = [](TracerMistake m) {
             return m >= TracerMistake::pixel_corner && m <= TracerMistake::pixel_opposite_corner;
         };
-        if (is_of_rows && std::any_of(reason.causes.begin(), reason.causes.end(), moves_pixel))
+        const bool names_rows = std::find(reason.causes.begin(), reason.causes.end(),
+                                          TracerMistake::rows_flipped) != reason.causes.end();
+        if (is_of_rows && !names_rows && std::any_of(reason.causes.begin(), reason.causes.end(), moves_pixel))
             reason.causes.push_back(TracerMistake::rows_flipped);
         // A mistake without a condition in what is hit would show everywhere.
         const bool is_weak =
@@ -245,8 +247,8 @@ class ReasonFinder {
             std::erase(reason.causes, TracerMistake::bytes_wrapped);
         const bool covers_most =
             is_whole || 10 * most >= 9 * left.size() || (is_noisy && 10 * most >= 7 * left.size());
-        reason.is_sure = reason.causes.size() == 1 && !is_weak && pixels_of(places) >= k_sure_pixels &&
-                         (covers_most || separates(places, left));
+        reason.is_sure = reason.causes.size() == 1 && !is_weak && !(is_of_rows && names_rows) &&
+                         pixels_of(places) >= k_sure_pixels && (covers_most || separates(places, left));
         if (is_noisy && covers_most) places = left;
         reason.places.assign(places.begin(), places.end());
         for (const std::size_t i : places) left.erase(i);

@@ -33,7 +33,7 @@ HitModel RayModel::find_hit() const {
     if (!(dot(along, along) > 0.5)) return hit;
     const bool at_hit = trial_.mistake != TracerMistake::none && info_of(trial_.mistake).at == Quantity::hit;
     if (!at_hit && is_reference()) {
-        hit.known = hit.is_reference = true;
+        hit.known = true;
         if (!reference_->hit) return hit;
         hit.shape = reference_->hit->shape;
         const Vec3 used = reference_->hit->normal;

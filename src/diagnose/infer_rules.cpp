@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the numbers of a log mean: rows, units, signs.
 #include <algorithm>
+#include <cstdlib>
+#include <optional>
 
 #include "diagnose/infer_labels.h"
 #include "diagnose/observe.h"
@@ -26,33 +28,49 @@ Score score(const LogModel& model, std::initializer_list<Quantity> quantities) {
     return result;
 }
 
-// Values of camera rays and pixels that are near those of the explanation.
+// How far the camera rays of the log are from those of the explanations, in pixels that are not near the
+// middle row, where both ways of counting are nearly the same. Nothing: the log does not have them.
+std::optional<double> distance_of_rays(const LogModel& model) {
+    const bool is_parallel = model.scene.camera.projection == Projection::orthographic;
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t p = 0; p < model.log.pixels.size() && count < k_most_places; ++p) {
+        const LoggedPixel& pixel = model.log.pixels[p];
+        const PixelReference& reference = model.references[p];
+        if (!reference.explanation || std::abs(2 * pixel.y - (model.scene.settings.height - 1)) < 8) continue;
+        for (std::size_t r = 0; r < pixel.rays.size(); ++r) {
+            if (pixel.rays[r].parent >= 0 || reference.ray[r] < 0) continue;
+            const ExplainedRay& ray = reference.explanation->rays[static_cast<std::size_t>(reference.ray[r])];
+            const auto logged = pixel.rays[r].vector(is_parallel ? Quantity::origin : Quantity::direction);
+            if (!logged || !is_finite(*logged)) continue;
+            sum += is_parallel ? length(*logged - ApproxVec(ray.origin)).v
+                               : length(unit(*logged) - unit(ApproxVec(ray.direction))).v;
+            ++count;
+        }
+    }
+    return count > 0 ? std::optional(sum) : std::nullopt;
+}
+
+// Pixels whose camera ray hits the point, or that have the bytes, of the explanation. Not those that are
+// black.
 std::size_t count_near(const LogModel& model) {
     std::size_t near = 0;
-    const std::size_t pixels = std::min(model.log.pixels.size(), k_most_places);
-    for (std::size_t p = 0; p < pixels; ++p) {
+    for (std::size_t p = 0; p < std::min(model.log.pixels.size(), k_most_places); ++p) {
         const LoggedPixel& pixel = model.log.pixels[p];
         const PixelReference& reference = model.references[p];
         if (!reference.explanation) continue;
-        if (const auto bytes = pixel.vector(Quantity::bytes)) {
-            const float* v = reference.explanation->value;
-            if (length(*bytes - ApproxVec(Color{255.0 * v[0], 255.0 * v[1], 255.0 * v[2]})).v < 6) ++near;
-        }
+        const float* v = reference.explanation->value;
+        const ApproxVec own(Color{255.0 * v[0], 255.0 * v[1], 255.0 * v[2]});
+        if (const auto bytes = pixel.vector(Quantity::bytes);
+            bytes && length(own).v > 12 && length(*bytes - own).v < 6)
+            ++near;
         for (std::size_t r = 0; r < pixel.rays.size(); ++r) {
-            const std::int32_t paired = reference.ray[r];
-            if (pixel.rays[r].parent >= 0 || paired < 0) continue;
-            const ExplainedRay& ray = reference.explanation->rays[static_cast<std::size_t>(paired)];
-            const auto d = pixel.rays[r].vector(Quantity::direction),
-                       p_hit = pixel.rays[r].vector(Quantity::point);
-            const auto o = pixel.rays[r].vector(Quantity::origin);
-            if (o && model.scene.camera.projection == Projection::orthographic &&
-                length(*o - ApproxVec(ray.origin)).v < 1e-3 * (1 + length(*o).v))
-                near += 2;
-            if (d && agree(unit(*d), unit(ApproxVec(ray.direction)), 1e-3)) near += 2;
-            if (p_hit && ray.hit &&
-                length(*p_hit - ApproxVec(ray.hit->point)).v < 1e-3 * (1 + length(*p_hit).v))
+            if (pixel.rays[r].parent >= 0 || reference.ray[r] < 0) continue;
+            const ExplainedRay& ray = reference.explanation->rays[static_cast<std::size_t>(reference.ray[r])];
+            const auto point = pixel.rays[r].vector(Quantity::point);
+            if (point && ray.hit &&
+                length(*point - ApproxVec(ray.hit->point)).v < 1e-3 * (1 + length(*point).v))
                 ++near;
-            if (pixel.rays[r].is_miss && !ray.hit) ++near;
         }
     }
     return near;
@@ -60,15 +78,17 @@ std::size_t count_near(const LogModel& model) {
 
 void infer_rows(LogModel& model, int threads) {
     if (model.log.rows_from_bottom) return;
-    const std::size_t as_it_is = count_near(model);
-    if (!model.log.is_printrays && as_it_is > model.log.pixels.size()) return;
-    model.rules.rows_from_bottom = !model.rules.rows_from_bottom;
-    model.explain_pixels(threads);
-    // More than by chance: rows in the middle of a picture are nearly the same either way.
-    const std::size_t reversed = count_near(model);
-    if (reversed > as_it_is + model.log.pixels.size() / 10) return;
-    model.rules.rows_from_bottom = !model.rules.rows_from_bottom;
-    model.explain_pixels(threads);
+    const std::optional<double> distance = distance_of_rays(model);
+    const std::size_t near = count_near(model);
+    const auto turn = [&] {
+        model.rules.rows_from_bottom = !model.rules.rows_from_bottom;
+        model.explain_pixels(threads);
+    };
+    turn();
+    const std::optional<double> turned = distance_of_rays(model);
+    const bool is_turned = distance && turned ? *turned < 0.5 * *distance
+                                              : count_near(model) > near + model.log.pixels.size() / 10 + 1;
+    if (!is_turned) turn();
 }
 
 void infer_unit_of_t(LogModel& model) {

@@ -26,8 +26,12 @@ Maybe RayModel::logged(Quantity quantity, std::uint32_t light) const {
 }
 
 Maybe RayModel::value(Quantity quantity, std::uint32_t light) const {
+    const auto [known, is_new] = light_values_.try_emplace({quantity, light});
+    if (!is_new) return known->second;
     const Maybe own = logged(quantity, light);
-    return own ? own : expected(quantity, light);
+    const Maybe found = own ? own : expected(quantity, light);
+    light_values_[{quantity, light}] = found;
+    return found;
 }
 
 Maybe RayModel::used_light(std::uint32_t light) const {

@@ -37,7 +37,9 @@ Maybe RayModel::term(Quantity quantity, std::uint32_t index) const {
     Maybe n_l = value(Quantity::n_l, index);
     const Maybe blocked = value(Quantity::blocked, index);
     // N.L may be logged after it was clamped.
-    if (is(TracerMistake::diffuse_not_clamped) && n_l && n_l->x.v == 0) n_l = expected(Quantity::n_l, index);
+    if ((is(TracerMistake::diffuse_not_clamped) || is(TracerMistake::diffuse_absolute)) && n_l &&
+        n_l->x.v == 0)
+        n_l = expected(Quantity::n_l, index);
     const Maybe att = value(Quantity::attenuation, index), cone = value(Quantity::spot, index);
     if (!n_l || !blocked || !att || !cone) return std::nullopt;
     const ApproxVec black;
@@ -50,6 +52,7 @@ Maybe RayModel::term(Quantity quantity, std::uint32_t index) const {
         if (blocked->x.v != 0 && !is(TracerMistake::diffuse_shadow_ignored)) return black;
         Approx factor =
             is(TracerMistake::diffuse_not_clamped) || !rules.clamp_cosines ? cosine : max(cosine, Approx(0));
+        if (is(TracerMistake::diffuse_absolute)) factor = abs(cosine);
         if (is(TracerMistake::diffuse_cosine_missing)) factor = cosine.v > 0 ? 1 : 0;
         if (is(TracerMistake::diffuse_cosine_squared)) factor = factor * factor;
         if (!is(TracerMistake::diffuse_attenuation_missing)) factor = factor * faded;

@@ -176,7 +176,7 @@ Approx LogDigits::with_error(const Digits& own, Approx value) const {
         return power;
     };
     if (!std::isfinite(value.v) || own.most_decimals == 0) return value;
-    const bool is_fixed = own.least_decimals == own.most_decimals && own.count > 3;
+    const bool is_fixed = own.least_decimals == own.most_decimals && own.count >= 3;
     // A few round numbers do not show how a quantity is printed: then as the others are.
     const Digits& digits = is_fixed || own.significant > 3 || own.count >= 20 ? own : all_;
     if (!is_fixed && digits.significant < 15) {

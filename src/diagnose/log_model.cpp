@@ -21,8 +21,9 @@ std::int32_t paired_ray(const LoggedPixel& pixel, const LoggedRay& ray, const Pi
         for (std::size_t i = 0; i < rays.size(); ++i) {
             if (rays[i].generation != 0 || rays[i].straight || (wanted >= 0 && rays[i].sample != wanted))
                 continue;
+            const bool is_usable = logged && is_finite(*logged);
             const Vec3 away =
-                logged ? unit(*logged).value() - unit(ApproxVec(rays[i].direction)).value() : Vec3{};
+                is_usable ? unit(*logged).value() - unit(ApproxVec(rays[i].direction)).value() : Vec3{};
             if (dot(away, away) < least) least = dot(away, away), best = static_cast<std::int32_t>(i);
         }
         return best;

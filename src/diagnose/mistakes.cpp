@@ -15,7 +15,9 @@ std::span<const MistakeInfo> mistake_infos() {
         {rows_flipped, "rows-flipped", Q::origin,
          "y has the wrong sign: rows count from the top, and the camera's y axis points up."},
         {pixel_corner, "pixel-corner", Q::origin,
-         "The ray goes through the corner of its pixel: add 0.5 to the column and the row."},
+         "The ray goes through the corner of its pixel, without 0.5 in the column, the row or both: this "
+         "scene's rays go through another point of it.",
+         false, 3},
         {pixel_center, "pixel-center", Q::origin,
          "The ray goes through the middle of its pixel; this scene's rays go through the corner."},
         {pixel_opposite_corner, "pixel-opposite-corner", Q::origin,
@@ -217,6 +219,9 @@ std::span<const MistakeInfo> mistake_infos() {
          "Shapes behind the start of the shadow ray block the light: ignore t below 0."},
         {diffuse_not_clamped, "diffuse-not-clamped", Q::diffuse,
          "N.L below 0 subtracts light: take max(0, N.L)."},
+        {diffuse_absolute, "diffuse-absolute", Q::diffuse,
+         "The diffuse term has the absolute value of N.L: light from behind the surface counts. Take max(0, "
+         "N.L)."},
         {diffuse_color_missing, "diffuse-color-missing", Q::diffuse,
          "k_d, the surface's color, is missing in the diffuse term.", false, 2},
         {diffuse_light_missing, "diffuse-light-missing", Q::diffuse,

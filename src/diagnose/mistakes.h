@@ -119,6 +119,7 @@ enum class TracerMistake : std::uint8_t {
     shadow_behind_start,
     // terms
     diffuse_not_clamped,
+    diffuse_absolute,
     diffuse_color_missing,
     diffuse_light_missing,
     diffuse_cosine_missing,

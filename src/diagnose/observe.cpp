@@ -75,7 +75,8 @@ bool decides_by_rounding(const LogModel& model, const ObservedPlace& place, doub
         const Vec3 other = cross(along, side);
         const double by = 1e-5 + 4 * unit(*d).error();
         for (const Vec3 turned : {side * by, side * -by, other * by, other * -by}) {
-            const RayHit hit = model.nearest(o->value(), along + turned, place.ray == 0 ? 0 : 1e-3);
+            const RayHit hit = model.nearest(o->value(), along + turned,
+                                             ray.parent() == nullptr ? 0 : leaving_distance(o->value()));
             if ((hit.shape == k_none ? -1.0 : hit.shape) == yours) return true;
         }
     }
@@ -171,7 +172,9 @@ void for_each_place(const LogModel& model, const std::function<bool(const Observ
         if (model.references[p].explanation && !visitor.visit_pixel(p)) return;
 }
 
-Maybe expected_at(const LogModel& model, const ObservedPlace& place, Trial trial) {
+namespace {
+
+Maybe any_expected_at(const LogModel& model, const ObservedPlace& place, Trial trial) {
     if (place.ray < 0) return expected_of_pixel(model, place.pixel, place.quantity, trial);
     const RayModel ray(model, place.pixel, place.ray, trial);
     if (place.quantity == Quantity::children) {
@@ -183,6 +186,13 @@ Maybe expected_at(const LogModel& model, const ObservedPlace& place, Trial trial
         return ApproxVec((mirror ? *mirror : own % 2 != 0) + 2.0 * (glass ? *glass : own > 1), 0, 0);
     }
     return place.light != k_none ? ray.expected(place.quantity, place.light) : ray.expected(place.quantity);
+}
+
+}  // namespace
+
+Maybe expected_at(const LogModel& model, const ObservedPlace& place, Trial trial) {
+    const Maybe expected = any_expected_at(model, place, trial);
+    return expected && is_finite(*expected) ? expected : std::nullopt;
 }
 
 Maybe logged_at(const LogModel& model, const ObservedPlace& place) {
@@ -217,7 +227,7 @@ Observation observe(const LogModel& model, const ObservedPlace& place) {
         // Not a number; or a shape whose label could not be matched.
         if (place.quantity == Quantity::hit) return seen;
         seen.is_number = false;
-        seen.verdict = expected ? Verdict::wrong : Verdict::unknown;
+        seen.verdict = Verdict::wrong;
         return seen;
     }
     seen.yours = *yours;

@@ -2,6 +2,8 @@
 // The pixels that are worth logging: one of each kind of difference between two pictures, and some without.
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "base/status.h"
 #include "glint/diagnose.h"
@@ -71,11 +73,18 @@ Result<std::vector<ProposedPixel>> propose_pixels(const Scene& scene, const Worl
                                     std::to_string(own.width) + "x" + std::to_string(own.height));
         const SeenPixels seen(*rendered, layers);
         struct Candidate {
-            std::string kind;
             double difference;
             std::int32_t x, y;
         };
-        std::vector<Candidate> candidates;
+        // By kind, those that differ most.
+        std::map<std::string, std::vector<Candidate>> candidates;
+        const auto keep_largest = [](std::vector<Candidate>& list, std::size_t most) {
+            std::stable_sort(list.begin(), list.end(), [](const Candidate& a, const Candidate& b) {
+                return a.difference > b.difference;
+            });
+            if (list.size() > most) list.resize(most);
+        };
+        constexpr std::size_t k_kept = 2000;
         const ByteRule rule = scene.conventions.byte_rule();
         for (std::int32_t y = 0; y < own.height; ++y) {
             for (std::int32_t x = 0; x < own.width; ++x) {
@@ -109,16 +118,21 @@ Result<std::vector<ProposedPixel>> propose_pixels(const Scene& scene, const Worl
                 } else {
                     kind = "material " + std::to_string(static_cast<int>(seen.most(Layer::material, i)));
                 }
-                candidates.push_back({std::move(kind), difference, x, y});
+                std::vector<Candidate>& list = candidates[kind];
+                list.push_back({difference, x, y});
+                if (list.size() == 2 * k_kept) keep_largest(list, k_kept);
             }
         }
         // In rounds: of each kind the pixel that differs most, then of each another one at some distance.
-        std::stable_sort(candidates.begin(), candidates.end(),
-                         [](const Candidate& a, const Candidate& b) { return a.difference > b.difference; });
-        std::vector<ProposedPixel> chosen;
         std::vector<std::string> kinds;
-        for (const Candidate& c : candidates)
-            if (std::find(kinds.begin(), kinds.end(), c.kind) == kinds.end()) kinds.push_back(c.kind);
+        for (auto& [kind, list] : candidates) {
+            keep_largest(list, k_kept);
+            kinds.push_back(kind);
+        }
+        std::stable_sort(kinds.begin(), kinds.end(), [&](const std::string& a, const std::string& b) {
+            return candidates[a].front().difference > candidates[b].front().difference;
+        });
+        std::vector<ProposedPixel> chosen;
         const auto is_near = [&](const Candidate& c) {
             return std::any_of(chosen.begin(), chosen.end(), [&](const ProposedPixel& p) {
                 return std::max(std::abs(p.x - c.x), std::abs(p.y - c.y)) < k_apart * own.width;
@@ -128,9 +142,9 @@ Result<std::vector<ProposedPixel>> propose_pixels(const Scene& scene, const Worl
             for (const std::string& kind : kinds) {
                 // Two pixels that are equal show where a mistake does not happen.
                 if (chosen.size() == k_most_pixels || (kind == "equal" && round > 1)) continue;
-                for (const Candidate& c : candidates) {
-                    if (c.kind != kind || is_near(c)) continue;
-                    chosen.push_back({c.x, c.y, c.kind, c.difference});
+                for (const Candidate& c : candidates[kind]) {
+                    if (is_near(c)) continue;
+                    chosen.push_back({c.x, c.y, kind, c.difference});
                     break;
                 }
             }

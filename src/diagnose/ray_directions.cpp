@@ -59,7 +59,8 @@ std::optional<std::array<double, 2>> RayModel::mistaken_viewport() const {
             v = -v;
             break;
         case TracerMistake::pixel_corner:
-            u = x / width - 0.5, v = 0.5 - y / height;
+            if (trial_.variant != 2) u = x / width - 0.5;
+            if (trial_.variant != 1) v = 0.5 - y / height;
             break;
         case TracerMistake::pixel_center:
             u = (x + 0.5) / width - 0.5, v = 0.5 - (y + 0.5) / height;

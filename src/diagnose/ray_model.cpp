@@ -46,8 +46,12 @@ double RayModel::factor(Quantity quantity) const {
 }
 
 Maybe RayModel::value(Quantity quantity) const {
-    const Maybe own = logged(quantity);
-    return own ? own : expected(quantity);
+    std::optional<Maybe>& known = values_[static_cast<std::size_t>(quantity)];
+    if (!known) {
+        const Maybe own = logged(quantity);
+        known = own ? own : expected(quantity);
+    }
+    return *known;
 }
 
 Maybe RayModel::expected(Quantity quantity) const {

@@ -3,6 +3,8 @@
 // What should follow from the values of a logged ray: each quantity is computed from the log's own earlier
 // values, where it has them, and otherwise from what these should be. With a mistake, the computation of one
 // quantity is changed.
+#include <array>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -24,7 +26,7 @@ double radius_of(const Scene& scene, const Shape& shape);
 
 /// The nearest hit of a ray. shape k_none: it hits nothing; `known` false: it cannot be said.
 struct HitModel {
-    bool known = false, is_reference = false;
+    bool known = false;
     std::uint32_t shape = k_none;
     Approx t;                    ///< in world units
     std::optional<Vec3> normal;  ///< the shape's own, unit
@@ -109,6 +111,9 @@ class RayModel {
     Trial trial_;
     const ExplainedRay* reference_ = nullptr;
     std::unique_ptr<RayModel> parent_;
+    // What value() has found: each value is needed by several others.
+    mutable std::array<std::optional<Maybe>, k_quantities> values_;
+    mutable std::map<std::pair<Quantity, std::uint32_t>, Maybe> light_values_;
     mutable std::optional<HitModel> hit_;
     mutable std::optional<bool> is_reference_;
 };

@@ -25,6 +25,7 @@ class LogReader {
     TraceLog read() {
         log_.is_printrays = is_printrays(text_.text);
         std::string_view rest = text_.text;
+        if (rest.starts_with("\xef\xbb\xbf")) rest.remove_prefix(3);
         while (!rest.empty() && diagnostics_.go_on(text_, start_)) {
             const std::size_t end = std::min(rest.find('\n'), rest.size());
             start_ = static_cast<std::size_t>(rest.data() - text_.text.data());
@@ -51,6 +52,14 @@ class LogReader {
         if (!items.empty() && line[line.find_first_not_of(" \t\r")] == '{')
             std::stable_sort(items.begin(), items.end(),
                              [](const LogItem& a, const LogItem& b) { return rank(a) < rank(b); });
+        // Its last value may be cut, too.
+        if (is_cut_ && !items.empty()) {
+            item_ = &items.back();
+            place_ = log_.is_printrays ? start_ : start_ + item_->offset;
+            diagnostics_.warn(text_, place_, item_->key.size(),
+                              "the log does not end with a newline: its last value is left out");
+            items.pop_back();
+        }
         for (const LogItem& item : items) {
             item_ = &item;
             place_ = log_.is_printrays ? start_ : start_ + item.offset;
@@ -74,12 +83,7 @@ class LogReader {
     }
 
     void error(std::string message) {
-        if (is_cut_) {
-            diagnostics_.warn(text_, place_, item_->key.size(),
-                              "the log ends within a line: what is cut is left out");
-        } else {
-            diagnostics_.error(text_, place_, item_->key.size(), std::move(message));
-        }
+        diagnostics_.error(text_, place_, item_->key.size(), std::move(message));
     }
 
     void read_item(const LogItem& item) {
@@ -123,7 +127,12 @@ class LogReader {
             case KeyUse::visible:
                 if (!has_count(1)) return;
                 if (LoggedLight* light = open_light())
-                    add(*light, Quantity::blocked, {item.numbers[0].v == 0 ? 1.0 : 0.0, {}, {}});
+                    add(*light, Quantity::blocked,
+                        {std::isnan(item.numbers[0].v) ? item.numbers[0].v
+                         : item.numbers[0].v == 0      ? 1.0
+                                                       : 0.0,
+                         {},
+                         {}});
                 return;
             case KeyUse::color:
                 return read_values(ray_ >= 0           ? Quantity::color
@@ -254,6 +263,7 @@ class LogReader {
             const std::int32_t found = find_number(item_->numbers[0].v);
             if (found < 0) return error(fmt::format("this pixel has no ray {} so far", item_->numbers[0].v));
             ray_ = found, light_ = -1;
+            in_shadow_ray_ = false;
             return;
         }
         if (kind == "shadow") {
@@ -391,7 +401,8 @@ class LogReader {
         if (of == nullptr) return;
         ApproxVec value(numbers[0].v, numbers[is_one || is_grey ? 0 : 1].v,
                         numbers[is_one || is_grey ? 0 : 2].v);
-        if (info.kind == QuantityKind::flag) value.x = numbers[0].v != 0 ? 1 : 0;
+        if (info.kind == QuantityKind::flag && std::isfinite(numbers[0].v))
+            value.x = numbers[0].v != 0 ? 1 : 0;
         for (const LogNumber& n : numbers) digits_.add(quantity, n);
         add(*of, quantity, value);
     }

@@ -138,11 +138,4 @@ struct TraceLog {
 /// Reads a log. Errors and warnings have the place in the text; the log is what could be read.
 TraceLog read_trace_log(InputText text, Diagnostics& diagnostics);
 
-/// A place of a log: a light of a ray of a pixel, and the quantity there.
-struct LogPlace {
-    std::uint32_t pixel = 0;
-    std::int32_t ray = -1, light = -1;
-    Quantity quantity = Quantity::origin;
-};
-
 }  // namespace glint

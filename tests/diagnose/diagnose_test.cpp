@@ -103,6 +103,43 @@ TEST(Diagnose, LogsThatCannotBeCompared) {
     EXPECT_EQ(message("pixel 1 1\nray camera\nN 1\nt 1\n"), "log:3:1: expected 3 numbers after 'N', found 1");
 }
 
+// Without D, P and N each ray follows from all rays before it.
+TEST(Diagnose, ManyMirrorsWithFewValues) {
+    const OwnScene own = scene_of("cgfs/three_mirrors.cgfs");
+    std::string log = "pixel 30 30\nray camera\nshape 1\n";
+    for (int i = 0; i < 200; ++i) log += "ray mirror\nt 1\nlight 2\nN.L 0.5\n";
+    EXPECT_EQ(diagnose(own.scene, own.world, log).message, "");
+}
+
+TEST(Diagnose, HugeNumbers) {
+    const OwnScene own = scene_of("cgfs/three_mirrors.cgfs");
+    const std::string ray =
+        "pixel 30 30\nray camera\nshape 1\nP 1e200 0 0\nlight 2\nL 1e300 1e300 0\ndiffuse 1 1 1\nspecular 1 "
+        "1 1\nlocal 1 1 1\n";
+    EXPECT_EQ(diagnose(own.scene, own.world, ray).message, "");
+    EXPECT_EQ(diagnose(own.scene, own.world, "pixel 30 30\nray camera\nlight nan\n").message,
+              "log:3:1: expected a light's number");
+}
+
+TEST(Diagnose, ADirectionThatIsNoNumber) {
+    const OwnScene own = scene_of("cgfs/three_mirrors.cgfs");
+    const Result<Diagnosis> result =
+        diagnose(own.scene, own.world, "pixel 30 30\nray camera\ndirection nan nan nan\n");
+    ASSERT_TRUE(result);
+    ASSERT_EQ(result->findings.size(), 1u);
+    EXPECT_EQ(result->findings[0].relation, "yours is not a number");
+}
+
+// Near the middle a row more or less is the same as counting from the bottom.
+TEST(Diagnose, ARowTooFarIsNotAFlippedPicture) {
+    const OwnScene own = scene_of("cgfs/three_spheres.cgfs");
+    OwnLog log;
+    log.direction = [](Vec3 v) { return Vec3{v.x, v.y + 1.0 / 48, v.z}; };
+    const std::string found = first_finding(own, log.write(own));
+    EXPECT_EQ(found.find("rows-flipped"), std::string::npos) << found;
+    EXPECT_NE(found.find("direction"), std::string::npos) << found;
+}
+
 TEST(Diagnose, DoesNotDependOnThreads) {
     const OwnScene own = scene_of("epfl/castle.json");
     OwnLog log;

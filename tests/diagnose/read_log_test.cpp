@@ -133,7 +133,7 @@ TEST(TraceLog, ErrorsNameTheLine) {
               "2:1: expected `camera`, `mirror`, `glass` or `shadow` after `ray`, found 'sideways'");
     // A log that was cut.
     EXPECT_EQ(first_message("pixel 0 0\nray camera\nN 0 1"),
-              "3:1: the log ends within a line: what is cut is left out");
+              "3:1: the log does not end with a newline: its last value is left out");
 }
 
 TEST(TraceLog, TooManyRaysAreRefused) {
