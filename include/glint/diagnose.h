@@ -56,8 +56,9 @@ struct DiagnosisFinding {
     std::string_view word;      ///< in sentences: "N"
     std::string_view formula;   ///< how it follows from earlier quantities
     std::string_view where;     ///< where the documents explain it; may be empty
-    /// True: there is one cause, it gives the log's numbers at three pixels or more, and every other known
-    /// mistake fails. False: each of `causes` gives them; there may be none.
+    /// True: there is one cause, it gives the log's numbers at three pixels or more (of more than 3,000: at a
+    /// thousandth), and every other known mistake fails. False: each of `causes` gives them; there may be
+    /// none.
     bool is_sure = false;
     std::vector<DiagnosedCause> causes;
     std::string only;      ///< where alone it happens: "where the ray comes from inside"; empty: everywhere

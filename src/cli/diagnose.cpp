@@ -91,6 +91,8 @@ std::string finding_text(const DiagnosisFinding& finding, const Diagnosis& diagn
             fmt::format_to(out, "    {} ({})\n", cause.explanation, cause.id);
     } else {
         text += "  cause unknown: no known mistake gives these numbers\n";
+        if (finding.pixels * 500 < diagnosis.pixels)
+            text += "  so few may be rounding, which grows behind mirrors and glass\n";
     }
     fmt::format_to(out, "  {} = {}{}{}\n", finding.quantity, finding.formula,
                    finding.where.empty() ? "" : "; see ", finding.where);

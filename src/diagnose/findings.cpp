@@ -180,6 +180,10 @@ class ReasonFinder {
         result.is_rejected = true;
     }
 
+    // In a log of thousands of pixels, rounding behind several surfaces of glass gives some values of any
+    // kind.
+    std::size_t sure_pixels() const { return std::max(k_sure_pixels, model_.log.pixels.size() / 1000); }
+
     std::size_t pixels_of(const std::set<std::size_t>& places) const {
         std::set<std::uint32_t> pixels;
         for (const std::size_t i : places) pixels.insert(all_[i].place.pixel);
@@ -248,7 +252,7 @@ class ReasonFinder {
         const bool covers_most =
             is_whole || 10 * most >= 9 * left.size() || (is_noisy && 10 * most >= 7 * left.size());
         reason.is_sure = reason.causes.size() == 1 && !is_weak && !(is_of_rows && names_rows) &&
-                         pixels_of(places) >= k_sure_pixels && (covers_most || separates(places, left));
+                         pixels_of(places) >= sure_pixels() && (covers_most || separates(places, left));
         if (is_noisy && covers_most) places = left;
         reason.places.assign(places.begin(), places.end());
         for (const std::size_t i : places) left.erase(i);
