@@ -205,9 +205,15 @@ class Diagnosing {
         seen_.resize(places.size());
         constexpr std::size_t k_chunk = 512;
         parallel_for((places.size() + k_chunk - 1) / k_chunk, options_.threads, [&](std::size_t c) {
+            // The values of a ray follow each other, so that one model of it serves all.
+            std::optional<RayModel> ray;
             for (std::size_t i = c * k_chunk; i < std::min(places.size(), (c + 1) * k_chunk); ++i) {
                 if (options_.cancel.is_set()) return;
-                seen_[i] = observe(model_, places[i]);
+                const ObservedPlace& place = places[i];
+                const bool is_same_ray =
+                    i > c * k_chunk && place.pixel == places[i - 1].pixel && place.ray == places[i - 1].ray;
+                if (place.ray >= 0 && !is_same_ray) ray.emplace(model_, place.pixel, place.ray);
+                seen_[i] = observe(model_, place, place.ray >= 0 ? &*ray : nullptr);
             }
         });
         std::set<std::uint32_t> wrong;
@@ -249,12 +255,9 @@ class Diagnosing {
                 finding.is_sure = reason.is_sure;
                 for (const TracerMistake cause : reason.causes)
                     finding.causes.push_back({info_of(cause).id, info_of(cause).explanation});
-                if (reason.only == "nan") {
-                    finding.relation = "yours is not a number";
-                } else {
-                    finding.only = reason.only;
-                    finding.relation = relation_of(seen_, reason.places);
-                }
+                finding.only = reason.only;
+                finding.relation =
+                    reason.is_number ? relation_of(seen_, reason.places) : "yours is not a number";
                 std::set<std::uint32_t> pixels;
                 std::size_t example = reason.places.front();
                 for (const std::size_t i : reason.places) {

@@ -30,7 +30,6 @@ struct TrialResult {
     Trial trial;
     std::set<std::size_t> matched;          // wrong observations whose number it gives
     std::vector<std::size_t> contradicted;  // right ones that it would have changed
-    bool is_conditional = false;
     std::string only;
     bool is_rejected = false;
 };
@@ -56,7 +55,7 @@ class ReasonFinder {
         for (const std::size_t i : wrong_) (all_[i].is_number ? numbers : not_numbers.places).push_back(i);
         std::vector<FoundReason> reasons;
         if (!not_numbers.places.empty()) {
-            not_numbers.only = "nan";
+            not_numbers.is_number = false;
             reasons.push_back(std::move(not_numbers));
         }
         std::vector<TrialResult> results;
@@ -73,7 +72,7 @@ class ReasonFinder {
         std::set<std::size_t> left(numbers.begin(), numbers.end());
         for (int i = 0; i < 3 && !left.empty(); ++i)
             if (!take_best(results, left, reasons)) break;
-        if (!left.empty()) reasons.push_back({{left.begin(), left.end()}, {}, false, {}, {}});
+        if (!left.empty()) reasons.emplace_back().places.assign(left.begin(), left.end());
         add_untried(reasons);
         return reasons;
     }
@@ -138,7 +137,8 @@ class ReasonFinder {
     }
 
     TrialResult try_mistake(Trial trial, const std::vector<std::size_t>& wrong) const {
-        TrialResult result{trial, {}, {}, false, {}, false};
+        TrialResult result;
+        result.trial = trial;
         std::size_t tried = 0;
         for (const std::size_t i : wrong) {
             ++tried;
@@ -173,7 +173,6 @@ class ReasonFinder {
                 std::none_of(result.contradicted.begin(), result.contradicted.end(),
                              [&](std::size_t i) { return condition.holds(all_[i].place); });
             if (!separates) continue;
-            result.is_conditional = true;
             result.only = condition.words;
             return;
         }
@@ -213,7 +212,7 @@ class ReasonFinder {
             if (here.size() != most && !(noisy && 10 * here.size() >= 7 * most)) continue;
             if (std::find(reason.causes.begin(), reason.causes.end(), r.trial.mistake) != reason.causes.end())
                 continue;
-            if (!r.is_conditional) has_unconditional = true;
+            if (r.only.empty()) has_unconditional = true;
             is_noisy = is_noisy || noisy;
             reason.causes.push_back(r.trial.mistake);
             reason.trials.push_back(r.trial);
@@ -225,7 +224,7 @@ class ReasonFinder {
             reason.only.clear();
             std::erase_if(reason.causes, [&](TracerMistake m) {
                 return std::none_of(results.begin(), results.end(), [&](const TrialResult& r) {
-                    return r.trial.mistake == m && !r.is_conditional && gained(r).size() > 0;
+                    return r.trial.mistake == m && r.only.empty() && gained(r).size() > 0;
                 });
             });
         }
@@ -254,6 +253,9 @@ class ReasonFinder {
         reason.is_sure = reason.causes.size() == 1 && !is_weak && !(is_of_rows && names_rows) &&
                          pixels_of(places) >= sure_pixels() && (covers_most || separates(places, left));
         if (is_noisy && covers_most) places = left;
+        std::erase_if(reason.trials, [&](const Trial& t) {
+            return std::find(reason.causes.begin(), reason.causes.end(), t.mistake) == reason.causes.end();
+        });
         reason.places.assign(places.begin(), places.end());
         for (const std::size_t i : places) left.erase(i);
         reasons.push_back(std::move(reason));

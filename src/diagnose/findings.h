@@ -14,6 +14,7 @@ struct FoundReason {
     std::vector<std::size_t> places;    ///< in the list of observations
     std::vector<TracerMistake> causes;  ///< that give all of the numbers
     bool is_sure = false;
+    bool is_number = true;  ///< false: the log has NaN or infinity there
     std::string only;
     std::vector<Trial> trials;  ///< of the causes
 };

@@ -6,18 +6,15 @@
 #include <string>
 #include <unordered_map>
 
+#include "diagnose/log_line.h"
+
 namespace glint {
 namespace {
 
 // The scene's names in small letters, as the reader has those of the log.
 std::unordered_map<std::string, std::uint32_t> indices_by_name(const ItemTexts& texts) {
     std::unordered_map<std::string, std::uint32_t> indices;
-    for (const auto& [index, name] : texts.names) {
-        std::string small = name;
-        std::transform(small.begin(), small.end(), small.begin(),
-                       [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-        indices.emplace(std::move(small), index);
-    }
+    for (const auto& [index, name] : texts.names) indices.emplace(in_small_letters(name), index);
     return indices;
 }
 

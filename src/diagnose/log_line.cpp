@@ -17,12 +17,6 @@ bool separates_items(char c) { return std::string_view(" \t\r,;()[]{}=:").find(c
 
 char small_letter(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
-std::string in_small_letters(std::string_view text) {
-    std::string result(text);
-    for (char& c : result) c = small_letter(c);
-    return result;
-}
-
 std::string key_of(std::string_view written) {
     std::string key;
     for (std::size_t i = 0; i < written.size(); ++i) {
@@ -71,6 +65,12 @@ std::optional<LogNumber> number_of(std::string_view token) {
 }
 
 }  // namespace
+
+std::string in_small_letters(std::string_view text) {
+    std::string result(text);
+    for (char& c : result) c = small_letter(c);
+    return result;
+}
 
 std::vector<LogItem> split_items(std::string_view line,
                                  const std::function<bool(std::string_view)>& takes_word) {

@@ -27,6 +27,9 @@ struct LogItem {
     std::vector<LogNumber> numbers;
 };
 
+/// ASCII letters made small, as names and words of a log are.
+std::string in_small_letters(std::string_view text);
+
 /// The keys of a line with their values. takes_word: whether a word after this key is its value.
 std::vector<LogItem> split_items(std::string_view line,
                                  const std::function<bool(std::string_view)>& takes_word);

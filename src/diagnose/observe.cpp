@@ -174,9 +174,9 @@ void for_each_place(const LogModel& model, const std::function<bool(const Observ
 
 namespace {
 
-Maybe any_expected_at(const LogModel& model, const ObservedPlace& place, Trial trial) {
-    if (place.ray < 0) return expected_of_pixel(model, place.pixel, place.quantity, trial);
-    const RayModel ray(model, place.pixel, place.ray, trial);
+Maybe finite(const Maybe& value) { return value && is_finite(*value) ? value : std::nullopt; }
+
+Maybe expected_of_ray(const LogModel& model, const ObservedPlace& place, const RayModel& ray) {
     if (place.quantity == Quantity::children) {
         // 1: a mirror ray; 2: a glass ray; 3: both. What is not known is as the log has it.
         const std::optional<bool> mirror = ray.has_child(LoggedRayKind::mirror),
@@ -185,23 +185,25 @@ Maybe any_expected_at(const LogModel& model, const ObservedPlace& place, Trial t
         const int own = logged_children(model, place);
         return ApproxVec((mirror ? *mirror : own % 2 != 0) + 2.0 * (glass ? *glass : own > 1), 0, 0);
     }
-    return place.light != k_none ? ray.expected(place.quantity, place.light) : ray.expected(place.quantity);
+    return finite(place.light != k_none ? ray.expected(place.quantity, place.light)
+                                        : ray.expected(place.quantity));
+}
+
+Maybe logged_of_ray(const LogModel& model, const ObservedPlace& place, const RayModel& ray) {
+    if (place.quantity == Quantity::children) return ApproxVec(logged_children(model, place), 0, 0);
+    return place.light != k_none ? ray.logged(place.quantity, place.light) : ray.logged(place.quantity);
 }
 
 }  // namespace
 
 Maybe expected_at(const LogModel& model, const ObservedPlace& place, Trial trial) {
-    const Maybe expected = any_expected_at(model, place, trial);
-    return expected && is_finite(*expected) ? expected : std::nullopt;
+    if (place.ray < 0) return finite(expected_of_pixel(model, place.pixel, place.quantity, trial));
+    return expected_of_ray(model, place, RayModel(model, place.pixel, place.ray, trial));
 }
 
 Maybe logged_at(const LogModel& model, const ObservedPlace& place) {
     if (place.ray < 0) return logged_of_pixel(model, place.pixel, place.quantity);
-    if (place.quantity == Quantity::children) {
-        return ApproxVec(logged_children(model, place), 0, 0);
-    }
-    const RayModel ray(model, place.pixel, place.ray);
-    return place.light != k_none ? ray.logged(place.quantity, place.light) : ray.logged(place.quantity);
+    return logged_of_ray(model, place, RayModel(model, place.pixel, place.ray));
 }
 
 bool is_same(Quantity quantity, const ApproxVec& yours, const ApproxVec& expected) {
@@ -218,10 +220,11 @@ bool is_same(Quantity quantity, const ApproxVec& yours, const ApproxVec& expecte
     return agree(yours, expected, slack);
 }
 
-Observation observe(const LogModel& model, const ObservedPlace& place) {
+Observation observe(const LogModel& model, const ObservedPlace& place, const RayModel* of) {
     Observation seen;
     seen.place = place;
-    const Maybe yours = logged_at(model, place), expected = expected_at(model, place, {});
+    const Maybe yours = of != nullptr ? logged_of_ray(model, place, *of) : logged_at(model, place),
+                expected = of != nullptr ? expected_of_ray(model, place, *of) : expected_at(model, place, {});
     if (expected) seen.expected = *expected;
     if (!yours) {
         // Not a number; or a shape whose label could not be matched.
@@ -232,8 +235,8 @@ Observation observe(const LogModel& model, const ObservedPlace& place) {
     }
     seen.yours = *yours;
     if (!expected) return seen;
-    if (place.light != k_none) {
-        const RayModel ray(model, place.pixel, place.ray);
+    if (of != nullptr && place.light != k_none) {
+        const RayModel& ray = *of;
         // Behind the surface, programs need not look for shadows; of a black highlight, for its power.
         const Maybe n_l = ray.value(Quantity::n_l, place.light),
                     cone = ray.value(Quantity::spot, place.light);

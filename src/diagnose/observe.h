@@ -41,7 +41,8 @@ Maybe logged_at(const LogModel& model, const ObservedPlace& place);
 /// Whether two values of a quantity are the same: directions by their direction, a cosine below 0 also as 0.
 bool is_same(Quantity quantity, const ApproxVec& yours, const ApproxVec& expected);
 
-/// Judges a place by the log's own earlier values.
-Observation observe(const LogModel& model, const ObservedPlace& place);
+/// Judges a place by the log's own earlier values. ray: the model of its ray, without a mistake; null for a
+/// pixel.
+Observation observe(const LogModel& model, const ObservedPlace& place, const RayModel* ray);
 
 }  // namespace glint

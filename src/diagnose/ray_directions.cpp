@@ -122,16 +122,19 @@ Maybe RayModel::secondary_direction() const {
     return -mirrored(along, normal);
 }
 
+double RayModel::index_ratio(double ior, bool leaves) const {
+    if (is(TracerMistake::refraction_ignored)) return 1;
+    if (is(TracerMistake::refraction_from_outside)) return 1 / ior;
+    return leaves != is(TracerMistake::refraction_inverted) ? ior : 1 / ior;
+}
+
 // The number under the root of Snell's law, for a glass ray that starts at this hit.
 std::optional<Approx> RayModel::under_root() const {
     const std::optional<Material> glass = material();
     const Maybe own = own_normal(), d = value(Quantity::direction);
     if (!glass || !own || !d) return std::nullopt;
     const Approx cosine = dot(*own, about_unit(*d));
-    double eta = cosine.v > 0 ? glass->ior : 1 / glass->ior;
-    if (is(TracerMistake::refraction_inverted)) eta = 1 / eta;
-    if (is(TracerMistake::refraction_from_outside)) eta = 1 / glass->ior;
-    if (is(TracerMistake::refraction_ignored)) eta = 1;
+    const double eta = index_ratio(glass->ior, cosine.v > 0);
     return Approx(1) - Approx(eta * eta) * (Approx(1) - cosine * cosine);
 }
 
@@ -152,9 +155,7 @@ Maybe RayModel::refracted() const {
     const Maybe logged_normal = parent_->logged(Quantity::normal);
     const ApproxVec either = logged_normal ? about_unit(*logged_normal) : *own;
     const ApproxVec normal = dot(either, along).v > 0 ? -either : either;
-    double eta = leaves ? glass->ior : 1 / glass->ior;
-    if (is(TracerMistake::refraction_inverted)) eta = 1 / eta;
-    if (is(TracerMistake::refraction_from_outside)) eta = 1 / glass->ior;
+    const double eta = index_ratio(glass->ior, leaves);
     const Approx cosine = -dot(normal, along);
     const std::optional<Approx> under = parent_->under_root();
     if (!under || under->v < 0) return std::nullopt;

@@ -83,12 +83,13 @@ class RayModel {
     /// False: total reflection. Nothing: rounding decides, or it is not known.
     std::optional<bool> is_refracted() const;
     std::optional<Approx> under_root() const;
+    /// Index of refraction of the side that a ray comes from over that of the other.
+    double index_ratio(double ior, bool leaves) const;
     HitModel find_hit() const;
     HitModel mistaken_hit(Vec3 origin, Vec3 direction, double t_min) const;
     double hit_error(const HitModel& hit, Vec3 origin, Vec3 unit_direction) const;
     Maybe own_normal() const;
     Maybe turned_normal() const;
-    Maybe expected_light_term(Quantity quantity, std::uint32_t light) const;
     std::optional<Approx> attenuation(std::uint32_t light) const;
     std::optional<Approx> spot(std::uint32_t light) const;
     std::optional<Approx> highlight_cosine(std::uint32_t light) const;
