@@ -241,9 +241,12 @@ class ReasonFinder {
         if (is_of_rows && !names_rows && std::any_of(reason.causes.begin(), reason.causes.end(), moves_pixel))
             reason.causes.push_back(TracerMistake::rows_flipped);
         // A mistake without a condition in what is hit would show everywhere.
-        const bool is_weak =
-            !has_unconditional && std::any_of(reason.causes.begin(), reason.causes.end(),
-                                              [](TracerMistake m) { return info_of(m).at == Quantity::hit; });
+        // A flag has one other value, which a mistake under a condition gives too easily.
+        const QuantityKind kind = info_of(quantity_).kind;
+        const bool is_weak = !has_unconditional &&
+                             (kind == QuantityKind::flag || kind == QuantityKind::label ||
+                              std::any_of(reason.causes.begin(), reason.causes.end(),
+                                          [](TracerMistake m) { return info_of(m).at == Quantity::hit; }));
         // The simpler of two that give the same numbers.
         if (std::find(reason.causes.begin(), reason.causes.end(), TracerMistake::bytes_truncated) !=
             reason.causes.end())

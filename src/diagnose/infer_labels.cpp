@@ -71,11 +71,11 @@ void infer_shapes(LogModel& model) {
             ++likely[*ray.shape][shape];
             const auto point = ray.vector(Quantity::point), t = ray.vector(Quantity::t);
             const double size = length(ApproxVec(explained.direction)).v;
-            const bool agrees =
-                point ? length(*point - ApproxVec(explained.hit->point)).v < 1e-3 * (1 + length(*point).v)
-                : t   ? agree(t->x, explained.t, 1e-3 * explained.t) ||
-                          agree(t->x, explained.t * size, 1e-3 * explained.t * size)
-                    : false;
+            // P may be wrong where t is right.
+            const bool agrees = (point && length(*point - ApproxVec(explained.hit->point)).v <
+                                              1e-3 * (1 + length(*point).v)) ||
+                                (t && (agree(t->x, explained.t, 1e-3 * explained.t) ||
+                                       agree(t->x, explained.t * size, 1e-3 * explained.t * size)));
             if (agrees) ++sure[*ray.shape][shape];
         }
     }
