@@ -10,6 +10,7 @@
 docs/python.md is the guide.
 """
 
+from ._diagnosis import Diagnosis, ProposedPixel, diagnose, propose_pixels
 from ._errors import GlintError, GlintWarning
 from ._glint import (
     BackgroundGradient,
@@ -40,12 +41,13 @@ from ._reports import Comparison, Explanation, Record
 from ._scene import Hits, Scene
 from ._settings import profiles, setting_infos
 from ._tools import Finding, Versus, check, compare, convert, explain, load, loads, versus
+from ._trace_log import TraceLog
 from ._values import Attenuation, Color, ColorLike, Vec3, VectorLike
 
 __all__ = [
     "Attenuation", "BackgroundGradient", "Box", "Camera", "CameraFrame", "Color", "ColorLike", "Comparison", "Cone", "Cylinder",
-    "Diagnostic", "Disc", "Explanation", "Finding", "Fog", "GlintError", "GlintWarning", "Graded", "GradedPart", "Hits",
-    "Image", "Light", "Material", "Mesh", "Occlusion", "Plane", "Polygon", "Record", "Scene", "Shape", "SmoothTriangle", "Sphere",
-    "Triangle", "Vec3", "VectorLike", "Versus", "check", "compare", "convert", "explain", "grade", "isa_names",
-    "load", "loads", "profiles", "setting_infos", "versus",
+    "Diagnosis", "Diagnostic", "Disc", "Explanation", "Finding", "Fog", "GlintError", "GlintWarning", "Graded", "GradedPart", "Hits",
+    "Image", "Light", "Material", "Mesh", "Occlusion", "Plane", "Polygon", "ProposedPixel", "Record", "Scene", "Shape", "SmoothTriangle", "Sphere",
+    "TraceLog", "Triangle", "Vec3", "VectorLike", "Versus", "check", "compare", "convert", "diagnose", "explain", "grade", "isa_names",
+    "load", "loads", "profiles", "propose_pixels", "setting_infos", "versus",
 ]

@@ -156,6 +156,7 @@ void bind_scene(py::module_& m) {
     bind_settings(m, cls);
     bind_arrays(cls);
     bind_tools(m, cls);
+    bind_diagnosis(m, cls);
     cls.def("equals", &equal);
     cls.def("copy_from", [](SceneState& s, SceneState& other) { s.copy_from(other); });
 }

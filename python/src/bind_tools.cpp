@@ -120,12 +120,7 @@ std::shared_ptr<Rendering> render_scene(SceneState& state, const SettingList& se
 // JSON, and the text that `glint explain` prints.
 py::tuple explain_pixel(SceneState& state, std::int32_t x, std::int32_t y, const SettingList& settings,
                         std::optional<int> sample, double fold, const py::object& progress) {
-    Snapshot snapshot = state.prepare(settings, progress);
-    if (!settings.empty()) {
-        auto changed = std::make_shared<Scene>(*snapshot.scene);
-        apply(settings, *changed);
-        snapshot.scene = std::move(changed);
-    }
+    const Snapshot snapshot = state.prepare_changed(settings, progress);
     const Scene& scene = *snapshot.scene;
     const int n = scene.settings.samples;
     cli::ExplainStyle style;

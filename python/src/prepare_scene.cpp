@@ -111,4 +111,14 @@ Snapshot SceneState::prepare(const SettingList& overrides, const py::object& pro
     return {std::move(whole), value_or_raise(std::move(changed))};
 }
 
+Snapshot SceneState::prepare_changed(const SettingList& overrides, const py::object& progress) {
+    Snapshot snapshot = prepare(overrides, progress);
+    if (!overrides.empty()) {
+        auto changed = std::make_shared<Scene>(*snapshot.scene);
+        apply(overrides, *changed);
+        snapshot.scene = std::move(changed);
+    }
+    return snapshot;
+}
+
 }  // namespace glint::python

@@ -90,6 +90,8 @@ class SceneState {
 
     /// Prepares what has changed. `overrides`: settings for this picture alone. `progress` may be None.
     Snapshot prepare(const SettingList& overrides, const py::object& progress, int threads = 0);
+    /// The same, and the snapshot's scene has these settings, too.
+    Snapshot prepare_changed(const SettingList& overrides, const py::object& progress);
 
   private:
     Scene& own();  ///< for writing: a copy, if a snapshot has it
@@ -128,5 +130,7 @@ void bind_scene(py::module_& m);
 void bind_arrays(py::class_<SceneState, std::shared_ptr<SceneState>>& cls);
 /// Its functions that read, render, and question the scene.
 void bind_tools(py::module_& m, py::class_<SceneState, std::shared_ptr<SceneState>>& cls);
+/// Its functions that compare it with another ray tracer's log.
+void bind_diagnosis(py::module_& m, py::class_<SceneState, std::shared_ptr<SceneState>>& cls);
 
 }  // namespace glint::python

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// A diagnosis of another ray tracer's log as text.
+#include <string>
+
+#include "glint/diagnose.h"
+
+namespace glint::cli {
+
+/// What the log's numbers mean, and each finding with its cause.
+std::string diagnosis_text(const Diagnosis& diagnosis, const Scene& scene);
+
+/// All quantities of a pixel of the log in Diagnosis::rows, beside what they should be.
+std::string diagnosis_tree_text(const Diagnosis& diagnosis, const Scene& scene, std::int32_t x,
+                                std::int32_t y);
+
+}  // namespace glint::cli
