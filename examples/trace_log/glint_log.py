@@ -27,8 +27,10 @@ import threading
 
 
 def _parse(text):
-    pairs = [pair.split(",") for pair in text.split(";") if pair.strip()]
-    return {(int(x), int(y)) for x, y in pairs}
+    try:
+        return {(int(x), int(y)) for x, y in (pair.split(",") for pair in text.split(";") if pair.strip())}
+    except ValueError:
+        raise SystemExit('GLINT_PIXELS: expected "320,350;12,40", found "%s"' % text)
 
 
 class _Thread(threading.local):

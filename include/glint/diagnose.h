@@ -73,7 +73,8 @@ struct Diagnosis {
     std::size_t pixels = 0, rays = 0, values = 0;  ///< in the log
     /// Values that were judged, and those that could not be. Pixels of the log that are not in the picture.
     std::size_t judged = 0, unknown = 0, outside = 0;
-    std::size_t wrong_pixels = 0;  ///< with any difference
+    std::size_t wrong_pixels = 0;   ///< with any difference
+    bool rows_from_bottom = false;  ///< the log's row 0 is the picture's lowest
     std::vector<DiagnosisFinding>
         findings;  ///< that which is the first difference in most pixels comes first
     std::vector<DiagnosedRow> rows;

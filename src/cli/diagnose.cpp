@@ -10,6 +10,7 @@
 #include "cli/failure.h"
 #include "cli/input_file.h"
 #include "cli/picture_arguments.h"
+#include "cli/picture_file.h"
 #include "cli/print_text.h"
 #include "cli/scene_arguments.h"
 #include "cli/text.h"
@@ -23,12 +24,13 @@ constexpr auto k_diagnose_examples = R"(Examples:
   glint diagnose castle.json glint.log                 the first quantity that differs, and its cause
   glint diagnose castle.json glint.log --size 320x240  the log is of a picture of this size
   glint diagnose castle.json glint.log --tree 120,80   all quantities of a pixel: yours and what they should be
+  glint diagnose castle.json glint.log --picture mine.png   what else differs in the picture
   glint diagnose castle.json glint.log --json)";
 
 struct DiagnoseArguments {
     SceneArguments scene;
     PictureArguments picture;
-    std::string tree;
+    std::string tree, own_picture;
     bool json = false;
     int threads = 0;
 };
@@ -37,16 +39,20 @@ int diagnose_command(DiagnoseArguments& arguments) {
     if (arguments.scene.files.size() < 2) throw Failure(k_usage, "expected the scene and the log");
     const std::string name = arguments.scene.files.back();
     arguments.scene.files.pop_back();
-    std::optional<Size> tree;
+    std::optional<Pair> tree;
     if (!arguments.tree.empty()) {
-        std::string pair = arguments.tree;
-        std::replace(pair.begin(), pair.end(), ',', 'x');
-        tree = parse_size(pair);
+        tree = parse_pair(arguments.tree);
         if (!tree)
             throw Failure(k_usage,
                           fmt::format("--tree: expected X,Y, as 320,200, found '{}'", arguments.tree));
     }
-    add_settings(arguments.picture, PictureMemory::some, arguments.scene);
+    std::optional<DecodedImage> picture;
+    if (!arguments.own_picture.empty()) {
+        picture = read_picture(arguments.own_picture);
+        if (arguments.picture.size.empty())
+            arguments.picture.size = fmt::format("{}x{}", picture->image.width, picture->image.height);
+    }
+    add_settings(arguments.picture, picture ? PictureMemory::whole : PictureMemory::some, arguments.scene);
     LoadedScene loaded = load_scene(arguments.scene);
     std::string why;
     const std::optional<InputFile> log = InputFile::open(name, why);
@@ -59,17 +65,27 @@ int diagnose_command(DiagnoseArguments& arguments) {
     DiagnoseOptions options;
     options.name = name;
     options.threads = arguments.threads;
-    if (tree) options.max_rows = 10'000'000;
+    if (tree || picture) options.max_rows = 10'000'000;
     const Result<Diagnosis> diagnosis = diagnose(scene, *prepared, log->text(), options);
     print(diagnosis.diagnostics);
     if (!diagnosis) throw_failure(diagnosis);
+    std::vector<ProposedPixel> proposed;
+    if (picture) {
+        Result<std::vector<ProposedPixel>> found =
+            propose_pixels(scene, *prepared, picture->image, arguments.threads);
+        if (!found) throw_failure(found);
+        proposed = *std::move(found);
+    }
     if (arguments.json) {
         print_json(diagnosis_json(*diagnosis, scene).value() + "\n");
     } else if (tree) {
-        print_text(diagnosis_tree_text(*diagnosis, scene, static_cast<std::int32_t>(tree->width),
-                                       static_cast<std::int32_t>(tree->height)));
+        const std::string text = diagnosis_tree_text(*diagnosis, scene, tree->x, tree->y);
+        if (text.empty())
+            throw Failure(k_bad_input, fmt::format("{}: the log has no pixel {},{}", name, tree->x, tree->y));
+        print_text(text);
     } else {
-        print_text(diagnosis_text(*diagnosis, scene));
+        print_text(diagnosis_text(*diagnosis, scene) +
+                   (picture ? picture_text(*diagnosis, picture->image, proposed) : ""));
     }
     return diagnosis->findings.empty() && diagnosis->judged > 0 ? k_done : k_bad_input;
 }
@@ -85,6 +101,12 @@ Run add_diagnose(CLI::App& app) {
         .add_option("--tree", arguments->tree,
                     "Print all quantities of a pixel of the log, beside what they should be")
         ->option_text("X,Y");
+    command
+        .add_option(
+            "--picture", arguments->own_picture,
+            "Your program's picture: print which of its differences the log has no pixel of, and whether "
+            "it has the log's bytes")
+        ->option_text("FILE");
     add_threads_argument(command, arguments->threads, ". The answer does not depend on it");
     command.add_flag("--json", arguments->json, "Print the answer as JSON (docs/diagnose.md)");
     command.footer(k_diagnose_examples);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -102,11 +103,53 @@ std::string diagnosis_tree_text(const Diagnosis& diagnosis, const Scene& scene, 
                        marks[static_cast<std::size_t>(row.verdict)], row.quantity, value_text(row, row.yours),
                        row.verdict == DiagnosedRow::Verdict::wrong ? value_text(row, row.expected) : "");
     }
-    if (text.empty()) return fmt::format("the log has no pixel {},{}\n", x, y);
+    if (text.empty()) return text;
     return fmt::format(
         "pixel {},{}: the log's values; after those that are wrong (!), what they should be; ?: not "
         "judged\n{}",
         x, y, text);
+}
+
+std::string picture_text(const Diagnosis& diagnosis, const Image& picture,
+                         const std::vector<ProposedPixel>& proposed) {
+    std::size_t compared = 0;
+    std::vector<const DiagnosedRow*> other;
+    const auto row_of = [&](std::int32_t y) {
+        return diagnosis.rows_from_bottom ? picture.height - 1 - y : y;
+    };
+    for (const DiagnosedRow& row : diagnosis.rows) {
+        if (row.quantity != "bytes" || row.yours.count != 3 || row.x >= picture.width ||
+            row.y >= picture.height)
+            continue;
+        ++compared;
+        const std::size_t at =
+            3 * (static_cast<std::size_t>(row_of(row.y)) * static_cast<std::size_t>(picture.width) +
+                 static_cast<std::size_t>(row.x));
+        for (std::size_t c = 0; c < 3; ++c) {
+            if (std::fabs(255.0 * picture.rgb[at + c] - row.yours.numbers[c]) <= 1.5) continue;
+            other.push_back(&row);
+            break;
+        }
+    }
+    std::string text;
+    auto out = std::back_inserter(text);
+    if (!other.empty())
+        fmt::format_to(out,
+                       "\nThe picture has other bytes than the log at {} of {}, as at {},{}: is it of the "
+                       "same run, with the same rows?\n",
+                       other.size(), counted(compared, "pixel"), other[0]->x, other[0]->y);
+    std::string list;
+    for (const ProposedPixel& p : proposed) {
+        const bool is_logged =
+            std::any_of(diagnosis.rows.begin(), diagnosis.rows.end(),
+                        [&](const DiagnosedRow& r) { return r.x == p.x && row_of(r.y) == p.y; });
+        if (p.kind != "equal" && !is_logged)
+            list += fmt::format("{}{},{} ({})", list.empty() ? "" : "; ", p.x, p.y, p.kind);
+    }
+    if (!list.empty())
+        fmt::format_to(out, "\nThe picture differs at these pixels, too, which are not in the log: {}\n",
+                       list);
+    return text;
 }
 
 std::string diagnosis_text(const Diagnosis& d, const Scene& scene) {

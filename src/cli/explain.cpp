@@ -38,24 +38,15 @@ struct ExplainArguments {
     std::string pixel, sample, form = "text", origin = "top-left", why_not, overlay, isa;
 };
 
-struct Pair {
-    int x = 0, y = 0;
-};
-
 // Parses a pair such as "320,200".
-Pair parse_pair(std::string_view option, const std::string& text, std::string_view example) {
-    Pair pair;
-    const char *end = text.data() + text.size(), *comma = text.data() + std::min(text.find(','), text.size());
-    const auto first = std::from_chars(text.data(), comma, pair.x);
-    const auto second = comma == end ? std::from_chars_result{comma, std::errc::invalid_argument}
-                                     : std::from_chars(comma + 1, end, pair.y);
-    if (first.ec != std::errc() || first.ptr != comma || second.ec != std::errc() || second.ptr != end)
-        throw Failure(k_usage, fmt::format("{}: expected {}, found '{}'", option, example, text));
-    return pair;
+Pair parse_or_fail(std::string_view option, const std::string& text, std::string_view example) {
+    const std::optional<Pair> pair = parse_pair(text);
+    if (!pair) throw Failure(k_usage, fmt::format("{}: expected {}, found '{}'", option, example, text));
+    return *pair;
 }
 
 Pair pixel_of(const ExplainArguments& arguments, const RenderSettings& settings) {
-    Pair pixel = parse_pair("--pixel", arguments.pixel, "X,Y, as 320,200");
+    Pair pixel = parse_or_fail("--pixel", arguments.pixel, "X,Y, as 320,200");
     const auto [x, y] = pixel;
     if (x < 0 || y < 0 || x >= settings.width || y >= settings.height) {
         throw Failure(k_usage,
@@ -68,7 +59,7 @@ Pair pixel_of(const ExplainArguments& arguments, const RenderSettings& settings)
 
 int sample_of(const ExplainArguments& arguments, int n) {
     if (arguments.sample.empty()) return n / 2 * n + n / 2;
-    const Pair sample = parse_pair("--sample", arguments.sample, "I,J, as 0,1");
+    const Pair sample = parse_or_fail("--sample", arguments.sample, "I,J, as 0,1");
     if (sample.x < 0 || sample.y < 0 || sample.x >= n || sample.y >= n)
         throw Failure(k_usage, fmt::format("--sample {}: a pixel has {}x{} samples, the first is 0,0",
                                            arguments.sample, n, n));

@@ -35,6 +35,14 @@ std::optional<Size> parse_size(std::string_view text) {
     return Size{*width, *height};
 }
 
+std::optional<Pair> parse_pair(std::string_view text) {
+    const auto x = take_number(text, ',');
+    const auto y = x ? take_number(text, 0) : std::nullopt;
+    const auto is_int = [](std::int64_t v) { return v == static_cast<std::int32_t>(v); };
+    if (!y || !is_int(*x) || !is_int(*y)) return std::nullopt;
+    return Pair{static_cast<std::int32_t>(*x), static_cast<std::int32_t>(*y)};
+}
+
 std::optional<Crop> parse_crop(std::string_view text) {
     std::array<std::int64_t, 4> numbers{};
     constexpr std::array after = {'x', '+', '+', '\0'};

@@ -18,6 +18,13 @@ struct Size {
 /// Parses "640x480"; nothing if it is not two whole numbers (they may be 0 or too large).
 std::optional<Size> parse_size(std::string_view text);
 
+struct Pair {
+    std::int32_t x = 0, y = 0;
+};
+
+/// Parses "320,200".
+std::optional<Pair> parse_pair(std::string_view text);
+
 /// Parses "320x240+10+20".
 std::optional<Crop> parse_crop(std::string_view text);
 

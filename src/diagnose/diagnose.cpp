@@ -184,6 +184,7 @@ class Diagnosing {
     Diagnosis run() {
         infer_rules(model_, options_.threads);
         result_.conventions = convention_sentences(model_);
+        result_.rows_from_bottom = model_.rules.rows_from_bottom;
         result_.pixels = model_.log.pixels.size();
         result_.values = model_.log.values;
         for (std::size_t p = 0; p < model_.log.pixels.size(); ++p) {
@@ -303,21 +304,34 @@ Result<Diagnosis> diagnose(const Scene& scene, const World& world, std::string_v
         if (log.pixels.empty())
             return failure(ErrorCode::parse,
                            fmt::format("{}: the log has no line `pixel X Y`", options.name));
-        if (log.size && (*log.size)[0] * static_cast<std::int64_t>(scene.settings.height) !=
-                            (*log.size)[1] * static_cast<std::int64_t>(scene.settings.width))
+        const RenderSettings& settings = scene.settings;
+        if (log.size && (*log.size)[0] * static_cast<std::int64_t>(settings.height) !=
+                            (*log.size)[1] * static_cast<std::int64_t>(settings.width))
             return failure(
                 ErrorCode::invalid_argument,
                 fmt::format(
                     "{}: the log is of a picture of {}x{} pixels, the scene's has {}x{}: give its size",
-                    options.name, (*log.size)[0], (*log.size)[1], scene.settings.width,
-                    scene.settings.height));
-        LogModel model(scene, world, log, options.threads);
-        Diagnosis diagnosis = Diagnosing(model, options).run();
+                    options.name, (*log.size)[0], (*log.size)[1], settings.width, settings.height));
+        const auto judge = [&](const Scene& of_log, const World& world_of_log) {
+            LogModel model(of_log, world_of_log, log, options.threads);
+            return Diagnosing(model, options).run();
+        };
+        Diagnosis diagnosis;
+        if (!log.size || (*log.size)[0] == settings.width) {
+            diagnosis = judge(scene, world);
+        } else {
+            Scene resized = scene;
+            resized.settings.width = (*log.size)[0], resized.settings.height = (*log.size)[1];
+            const Result<World> prepared = with_rules(world, resized.conventions, resized.settings);
+            if (!prepared) return static_cast<Status>(prepared);
+            diagnosis = judge(resized, *prepared);
+        }
         if (options.cancel.is_set()) return cancelled();
         if (diagnosis.outside == diagnosis.pixels)
             return failure(ErrorCode::invalid_argument,
                            fmt::format("{}: no pixel of the log is in the picture of {}x{}", options.name,
-                                       scene.settings.width, scene.settings.height));
+                                       log.size ? (*log.size)[0] : settings.width,
+                                       log.size ? (*log.size)[1] : settings.height));
         return Result<Diagnosis>(std::move(diagnosis), diagnostics.take());
     });
 }

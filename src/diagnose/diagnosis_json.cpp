@@ -41,7 +41,12 @@ DiagnosisJson row_json(const DiagnosedRow& row, const Scene& scene) {
 }
 
 DiagnosisJson finding_json(const DiagnosisFinding& finding, const Scene& scene) {
-    DiagnosisJson json = {{"quantity", finding.quantity}, {"sure", finding.is_sure}};
+    const DiagnosedRow& at = finding.example;
+    DiagnosisJson json = {{"quantity", finding.quantity},
+                          {"of", at.light < scene.lights.size() ? "light"
+                                 : at.ray >= 0                  ? "ray"
+                                                                : "pixel"},
+                          {"sure", finding.is_sure}};
     json["causes"] = DiagnosisJson::array();
     for (const DiagnosedCause& cause : finding.causes)
         json["causes"].push_back({{"id", cause.id}, {"explanation", cause.explanation}});
@@ -68,7 +73,8 @@ Result<std::string> diagnosis_json(const Diagnosis& diagnosis, const Scene& scen
                               {"judged", diagnosis.judged},
                               {"unknown", diagnosis.unknown},
                               {"outside", diagnosis.outside},
-                              {"wrong_pixels", diagnosis.wrong_pixels}};
+                              {"wrong_pixels", diagnosis.wrong_pixels},
+                              {"rows_from_bottom", diagnosis.rows_from_bottom}};
         json["findings"] = DiagnosisJson::array();
         for (const DiagnosisFinding& finding : diagnosis.findings)
             json["findings"].push_back(finding_json(finding, scene));

@@ -85,6 +85,10 @@ class LogReader {
     void error(std::string message) {
         diagnostics_.error(text_, place_, item_->key.size(), std::move(message));
     }
+    bool fail(std::string message) {  // false
+        error(std::move(message));
+        return false;
+    }
 
     void read_item(const LogItem& item) {
         const LogKey* key = find_key(item.key);
@@ -96,6 +100,7 @@ class LogReader {
                             near.empty() ? "" : fmt::format("; did you mean `{}`?", near)));
             return;
         }
+        if (is_skipped(key->use)) return;
         switch (key->use) {
             case KeyUse::size:
                 return read_size();
@@ -111,9 +116,11 @@ class LogReader {
                 log_.white = item.numbers[0].v;
                 return;
             case KeyUse::pixel:
-                return read_pixel();
+                if (!read_pixel()) skipped_ = Skipped::pixel;
+                return;
             case KeyUse::ray:
-                return read_ray();
+                if (!read_ray()) skipped_ = Skipped::ray;
+                return;
             case KeyUse::light:
                 return read_light();
             case KeyUse::end:
@@ -147,6 +154,16 @@ class LogReader {
         }
     }
 
+    // After a pixel or ray that cannot be read, what belongs to it is skipped without a message.
+    bool is_skipped(KeyUse use) {
+        if (use == KeyUse::pixel) skipped_ = Skipped::none;
+        if (skipped_ == Skipped::ray && (use == KeyUse::ray || use == KeyUse::end)) {
+            skipped_ = Skipped::none;
+            return use == KeyUse::end;
+        }
+        return skipped_ != Skipped::none;
+    }
+
     bool has_count(std::size_t count) {
         if (item_->numbers.size() == count) return true;
         error(fmt::format("expected {} after {}, found {}",
@@ -166,15 +183,15 @@ class LogReader {
                      static_cast<std::int32_t>(item_->numbers[1].v)};
     }
 
-    void read_pixel() {
+    bool read_pixel() {
         if (item_->numbers.size() != 2 && item_->numbers.size() != 3)
-            return error(fmt::format("expected `pixel X Y`, found {} numbers", item_->numbers.size()));
+            return fail(fmt::format("expected `pixel X Y`, found {} numbers", item_->numbers.size()));
         for (const LogNumber& n : item_->numbers)
             if (!(n.v >= 0 && n.v < k_max_size))
-                return error(fmt::format("expected a pixel from 0 to {}", k_max_size - 1));
+                return fail(fmt::format("expected a pixel from 0 to {}", k_max_size - 1));
         finish_pixel();
         if (log_.pixels.size() == k_max_pixels)
-            return error(fmt::format("a log has at most {} pixels", k_max_pixels));
+            return fail(fmt::format("a log has at most {} pixels", k_max_pixels));
         number_index_.clear();
         LoggedPixel& pixel = log_.pixels.emplace_back();
         pixel.line = line_;
@@ -183,6 +200,7 @@ class LogReader {
         if (item_->numbers.size() == 3) pixel.sample = static_cast<std::int32_t>(item_->numbers[2].v);
         ray_ = light_ = -1;
         in_shadow_ray_ = false;
+        return true;
     }
 
     // A program that follows a ray in a loop has no place for `end`: its only color, after the last ray, is
@@ -249,9 +267,9 @@ class LogReader {
         return nullptr;
     }
 
-    void read_ray() {
+    bool read_ray() {
         LoggedPixel* pixel = open_pixel();
-        if (pixel == nullptr) return;
+        if (pixel == nullptr) return false;
         const std::string& kind = item_->word;
         const auto find_number = [&](double number) -> std::int32_t {
             if (!(number >= 0 && number < 1e9)) return -1;
@@ -259,16 +277,17 @@ class LogReader {
             return at != number_index_.end() ? at->second : -1;
         };
         if (kind.empty()) {
-            if (!has_count(1)) return;
+            if (!has_count(1)) return false;
             const std::int32_t found = find_number(item_->numbers[0].v);
-            if (found < 0) return error(fmt::format("this pixel has no ray {} so far", item_->numbers[0].v));
+            if (found < 0) return fail(fmt::format("this pixel has no ray {} so far", item_->numbers[0].v));
             ray_ = found, light_ = -1;
             in_shadow_ray_ = false;
-            return;
+            return true;
         }
         if (kind == "shadow") {
-            if (open_light() != nullptr) in_shadow_ray_ = true;
-            return;
+            if (open_light() == nullptr) return false;
+            in_shadow_ray_ = true;
+            return true;
         }
         LoggedRay ray;
         ray.line = line_;
@@ -279,38 +298,39 @@ class LogReader {
         } else if (kind == "glass" || kind == "refraction" || kind == "refracted" || kind == "transmitted") {
             ray.kind = LoggedRayKind::glass;
         } else {
-            return error(fmt::format("expected `camera`, `mirror`, `glass` or `shadow` after `ray`, found {}",
-                                     glint::quoted(kind)));
+            return fail(fmt::format("expected `camera`, `mirror`, `glass` or `shadow` after `ray`, found {}",
+                                    glint::quoted(kind)));
         }
         if (++rays_ > k_max_rays || pixel->rays.size() >= k_max_pixel_rays)
-            return error(
+            return fail(
                 fmt::format("a pixel has at most {} rays, and a log {}", k_max_pixel_rays, k_max_rays));
         if (ray.kind != LoggedRayKind::camera) ray.parent = ray_;
         const std::vector<LogNumber>& numbers = item_->numbers;
         if (!numbers.empty()) {
             if (!(numbers[0].v >= 0 && numbers[0].v < 1e9))
-                return error("expected a ray's number from 0 to 999999999");
+                return fail("expected a ray's number from 0 to 999999999");
             if (find_number(numbers[0].v) >= 0)
-                return error(fmt::format("this pixel has a ray {} already", numbers[0].v));
+                return fail(fmt::format("this pixel has a ray {} already", numbers[0].v));
             ray.number = static_cast<std::int32_t>(numbers[0].v);
         }
         if (numbers.size() > 1 && numbers[1].v >= 0) {
             ray.parent = find_number(numbers[1].v);
             if (ray.parent < 0)
-                return error(fmt::format("the parent, ray {}, is not among the rays before", numbers[1].v));
+                return fail(fmt::format("the parent, ray {}, is not among the rays before", numbers[1].v));
         }
         if (ray.kind != LoggedRayKind::camera && ray.parent < 0 && !log_.is_printrays)
-            return error(fmt::format(
+            return fail(fmt::format(
                 "a {} ray starts from the hit of another ray: expected `ray camera` before", kind));
         if (ray.parent >= 0)
             ray.generation = pixel->rays[static_cast<std::size_t>(ray.parent)].generation + 1;
         if (ray.generation > k_max_reflections)
-            return error(fmt::format("at most {} rays may follow each other: is an `end` missing?",
-                                     k_max_reflections));
+            return fail(fmt::format("at most {} rays may follow each other: is an `end` missing?",
+                                    k_max_reflections));
         if (ray.number >= 0) number_index_.emplace(ray.number, static_cast<std::int32_t>(pixel->rays.size()));
         pixel->rays.push_back(std::move(ray));
         ray_ = static_cast<std::int32_t>(pixel->rays.size()) - 1, light_ = -1;
         in_shadow_ray_ = false;
+        return true;
     }
 
     /// The labels of lights or shapes, by their text.
@@ -426,6 +446,7 @@ class LogReader {
     std::uint32_t line_ = 0;
     std::int32_t ray_ = -1, light_ = -1;
     bool in_shadow_ray_ = false, is_cut_ = false;
+    enum class Skipped : std::uint8_t { none, ray, pixel } skipped_ = Skipped::none;
 };
 
 }  // namespace

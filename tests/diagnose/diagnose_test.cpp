@@ -103,6 +103,17 @@ TEST(Diagnose, LogsThatCannotBeCompared) {
     EXPECT_EQ(message("pixel 1 1\nray camera\nN 1\nt 1\n"), "log:3:1: expected 3 numbers after 'N', found 1");
 }
 
+// A log says the size of its picture, which need not be the scene's.
+TEST(Diagnose, TheSizeOfTheLogIsTaken) {
+    const OwnScene own = scene_of("cgfs/three_mirrors.cgfs");
+    const OwnScene larger = own_scene(text_of("cgfs/three_mirrors.cgfs"), "three_mirrors.cgfs", 320, 240);
+    const std::string log = "size 64 48\n" + OwnLog{}.write(own);
+    EXPECT_EQ(first_finding(larger, log), "");
+    EXPECT_EQ(first_finding(own, log), "");
+    // Without the size, these are other pixels' rays.
+    EXPECT_NE(first_finding(larger, OwnLog{}.write(own)), "");
+}
+
 // Without D, P and N each ray follows from all rays before it.
 TEST(Diagnose, ManyMirrorsWithFewValues) {
     const OwnScene own = scene_of("cgfs/three_mirrors.cgfs");

@@ -2,6 +2,14 @@
 // The reader of logs: lines, JSON, printrays, and what is wrong with a log.
 #include <gtest/gtest.h>
 
+#include <cctype>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "diagnose/log_keys.h"
 #include "diagnose/trace_log.h"
 
 namespace glint::test {
@@ -134,6 +142,66 @@ TEST(TraceLog, ErrorsNameTheLine) {
     // A log that was cut.
     EXPECT_EQ(first_message("pixel 0 0\nray camera\nN 0 1"),
               "3:1: the log does not end with a newline: its last value is left out");
+}
+
+// One message for a line that cannot be read, not one for each of those that belong to it.
+TEST(TraceLog, WhatBelongsToABadLineIsSkipped) {
+    const auto count = [](std::string_view text) {
+        std::vector<Diagnostic> messages;
+        read(text, &messages);
+        return messages.size();
+    };
+    EXPECT_EQ(count("pixel 5\nray camera\nt 1\nlight 1\nN.L 1\nend\npixel 1 1\nray camera\nt 1\n"), 1u);
+    EXPECT_EQ(count("pixel 0 0\nray sideways\nt 1\nN 0 1 0\nend\nray camera\nt 1\n"), 1u);
+    // The next pixel is read again.
+    EXPECT_EQ(count("pixel 5\nt 1\npixel 1 1\nray camera\nt 1 2\n"), 2u);
+}
+
+std::string normalized(std::string_view name) {
+    std::string text;
+    for (const char c : name)
+        if (std::isalnum(static_cast<unsigned char>(c))) text += static_cast<char>(std::tolower(c));
+    return text;
+}
+
+std::string document(const std::string& name) {
+    std::ifstream file(GLINT_SOURCE "/docs/formats/" + name);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+TEST(TraceLogDocument, HasAllKeys) {
+    std::istringstream lines(document("trace_log.md"));
+    std::set<std::string> written;
+    const std::regex word("`([^`]+)`");
+    for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("| `")) continue;
+        const std::string keys = line.substr(0, line.find('|', line.find('|', 1) + 1));
+        for (std::sregex_iterator it(keys.begin(), keys.end(), word), end; it != end; ++it) {
+            const std::string key = normalized((*it)[1].str());
+            // `color` of the pixel.
+            EXPECT_NE(find_key(key), nullptr) << key;
+            written.insert(key);
+        }
+    }
+    for (const LogKey& key : log_keys()) EXPECT_TRUE(written.contains(std::string(key.name))) << key.name;
+}
+
+TEST(TraceLogDocument, TheSchemaHasAllKeysWithTheirKinds) {
+    const auto schema = nlohmann::json::parse(document("trace_log.schema.json"));
+    std::set<std::pair<KeyUse, Quantity>> written;
+    for (const auto& [name, property] : schema["properties"].items()) {
+        const LogKey* key = find_key(normalized(name));
+        ASSERT_NE(key, nullptr) << name;
+        written.emplace(key->use, key->quantity);
+        if (key->use != KeyUse::none || key->quantity == Quantity::weight) continue;
+        const QuantityKind kind = info_of(key->quantity).kind;
+        const std::string wanted = kind == QuantityKind::number  ? "number"
+                                   : kind == QuantityKind::flag  ? "flag"
+                                   : kind == QuantityKind::color ? "color"
+                                                                 : "vector";
+        EXPECT_EQ(property["$ref"], "#/$defs/" + wanted) << name;
+    }
+    for (const LogKey& key : log_keys()) EXPECT_TRUE(written.contains({key.use, key.quantity})) << key.name;
 }
 
 TEST(TraceLog, TooManyRaysAreRefused) {
