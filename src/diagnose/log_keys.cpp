@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "diagnose/log_keys.h"
 
-#include <algorithm>
+#include <unordered_map>
 #include <vector>
 
 #include "base/text.h"
@@ -72,9 +72,13 @@ std::span<const LogKey> log_keys() {
 }
 
 const LogKey* find_key(std::string_view name) {
-    const auto at =
-        std::find_if(log_keys().begin(), log_keys().end(), [&](const LogKey& k) { return k.name == name; });
-    return at != log_keys().end() ? &*at : nullptr;
+    static const auto by_name = [] {
+        std::unordered_map<std::string_view, const LogKey*> map;
+        for (const LogKey& key : log_keys()) map.emplace(key.name, &key);
+        return map;
+    }();
+    const auto at = by_name.find(name);
+    return at != by_name.end() ? at->second : nullptr;
 }
 
 std::string_view nearest_key(std::string_view name) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -13,7 +14,12 @@
 namespace glint {
 namespace {
 
-bool separates_items(char c) { return std::string_view(" \t\r,;()[]{}=:").find(c) != std::string_view::npos; }
+constexpr std::array<bool, 256> k_separators = [] {
+    std::array<bool, 256> is_one{};
+    for (const char c : std::string_view(" \t\r,;()[]{}=:")) is_one[static_cast<unsigned char>(c)] = true;
+    return is_one;
+}();
+bool separates_items(char c) { return k_separators[static_cast<unsigned char>(c)]; }
 
 char small_letter(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
@@ -22,14 +28,15 @@ std::string key_of(std::string_view written) {
     for (std::size_t i = 0; i < written.size(); ++i) {
         if (written.substr(i, 2) == "\xc2\xb7") {  // a middle dot
             ++i;
-        } else if (std::string_view("_.*-").find(written[i]) == std::string_view::npos) {
+        } else if (const char c = written[i]; c != '_' && c != '.' && c != '*' && c != '-') {
             key += small_letter(written[i]);
         }
     }
     return key;
 }
 
-std::optional<LogNumber> number_of(std::string_view token) {
+// A number that is written as a word.
+std::optional<LogNumber> number_word(std::string_view token) {
     const std::string word = in_small_letters(token);
     constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
                      infinity = std::numeric_limits<double>::infinity();
@@ -37,6 +44,12 @@ std::optional<LogNumber> number_of(std::string_view token) {
     if (word == "nan" || word == "-nan" || word == "null" || word == "+nan") return LogNumber{nan};
     if (word == "inf" || word == "+inf" || word == "infinity") return LogNumber{infinity};
     if (word == "-inf" || word == "-infinity") return LogNumber{-infinity};
+    return std::nullopt;
+}
+
+std::optional<LogNumber> number_of(std::string_view token) {
+    const char first = token.empty() ? '0' : token[token.size() > 1 && (token[0] == '-' || token[0] == '+')];
+    if (!is_decimal_digit(first) && first != '.') return number_word(token);
     if (token.starts_with('+')) token.remove_prefix(1);
     // The suffix of a literal in C.
     if (token.size() > 1 && (token.back() == 'f' || token.back() == 'F')) token.remove_suffix(1);
@@ -45,16 +58,21 @@ std::optional<LogNumber> number_of(std::string_view token) {
     if (read_any_number(token.data(), token.data() + token.size(), number.v) != token.data() + token.size())
         return std::nullopt;
     bool is_leading = true;
-    for (const char c : token) {
-        if (c == 'e' || c == 'E') break;
+    std::size_t exponent_at = token.size();
+    for (std::size_t i = 0; i < token.size(); ++i) {
+        const char c = token[i];
+        if (c == 'e' || c == 'E') {
+            exponent_at = i;
+            break;
+        }
         if (c == '.') number.has_point = true;
         if (!is_decimal_digit(c)) continue;
         if (c != '0') is_leading = false;
         if (!is_leading) ++number.significant;
         if (number.has_point) ++number.decimals;
     }
-    if (const std::size_t at = token.find_first_of("eE"); at != std::string_view::npos) {
-        std::string_view digits = token.substr(at + 1);
+    if (exponent_at < token.size()) {
+        std::string_view digits = token.substr(exponent_at + 1);
         if (digits.starts_with('+')) digits.remove_prefix(1);
         double exponent = 0;
         read_any_number(digits.data(), digits.data() + digits.size(), exponent);
@@ -93,12 +111,12 @@ std::vector<LogItem> split_items(std::string_view line,
             while (at < line.size() && !separates_items(line[at]) && line[at] != '#') ++at;
             token = line.substr(first, at - first);
         }
-        if (token.find_first_not_of("-<>|") == std::string_view::npos) continue;  // a rule, an arrow
-        if (token == "ind" || token == "snan") continue;                          // of -nan(ind)
         if (const auto number = number_of(token)) {
             if (!items.empty()) items.back().numbers.push_back(*number);
             continue;
         }
+        if (token.find_first_not_of("-<>|") == std::string_view::npos) continue;  // a rule, an arrow
+        if (token == "ind" || token == "snan") continue;                          // of -nan(ind)
         if (!items.empty() && items.back().word.empty() && items.back().numbers.empty() &&
             takes_word(items.back().key)) {
             items.back().word = in_small_letters(token);
