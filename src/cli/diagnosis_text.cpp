@@ -41,7 +41,8 @@ std::string place_text(const DiagnosedRow& row, const Scene& scene) {
     return text;
 }
 
-std::string finding_text(const DiagnosisFinding& finding, const Diagnosis& diagnosis, const Scene& scene) {
+// "N is wrong in 20 of 24 pixels, in 20 as the first difference".
+std::string wrong_text(const DiagnosisFinding& finding, const Diagnosis& diagnosis) {
     std::string text;
     auto out = std::back_inserter(text);
     std::string word(finding.word);
@@ -53,6 +54,12 @@ std::string finding_text(const DiagnosisFinding& finding, const Diagnosis& diagn
     if (finding.first_pixels > 0)
         fmt::format_to(out, ", in {} as the first difference", finding.first_pixels);
     if (!finding.only.empty()) fmt::format_to(out, "; only {}", finding.only);
+    return text;
+}
+
+std::string finding_text(const DiagnosisFinding& finding, const Diagnosis& diagnosis, const Scene& scene) {
+    std::string text = wrong_text(finding, diagnosis);
+    auto out = std::back_inserter(text);
     text += ".\n";
     const DiagnosedRow& row = finding.example;
     fmt::format_to(out, "  {}: yours {}, it should be {}\n", place_text(row, scene),
@@ -108,6 +115,21 @@ std::string diagnosis_tree_text(const Diagnosis& diagnosis, const Scene& scene, 
         "pixel {},{}: the log's values; after those that are wrong (!), what they should be; ?: not "
         "judged\n{}",
         x, y, text);
+}
+
+std::string feedback_text(const Diagnosis& d, bool with_cause) {
+    if (d.findings.empty())
+        return d.judged == 0 ? "nothing in it could be compared" : "no value in it is wrong";
+    const DiagnosisFinding& finding = d.findings.front();
+    std::string text = wrong_text(finding, d);
+    if (!with_cause) return text;
+    if (finding.causes.empty()) return text + "; cause unknown";
+    if (finding.is_sure)
+        return text + fmt::format("; cause: {} ({})", finding.causes[0].explanation, finding.causes[0].id);
+    std::string ids;
+    for (const DiagnosedCause& cause : finding.causes)
+        ids += (ids.empty() ? "" : ", ") + std::string(cause.id);
+    return text + "; possible causes: " + ids;
 }
 
 std::string picture_text(const Diagnosis& diagnosis, const Image& picture,

@@ -12,6 +12,7 @@
 #include "cli/grade_report.h"
 #include "cli/grade_sheet.h"
 #include "cli/graded_folders.h"
+#include "cli/log_feedback.h"
 #include "cli/memory_size.h"
 #include "cli/picture_file.h"
 #include "cli/picture_sizes.h"
@@ -35,7 +36,7 @@ constexpr auto k_grade_examples = R"(Examples:
 constexpr std::size_t k_pictures_at_a_time = 32, k_pixels_at_a_time = std::size_t{1} << 26;
 
 struct GradeArguments {
-    std::string folder, reference, rubric;
+    std::string folder, reference, rubric, logs;
     GradeOutputNames outputs;
     SceneOption scene;
     std::string visibility = "visible";
@@ -146,6 +147,13 @@ Rubric load_rubric(const std::string& path) {
     return std::move(read.rubric);
 }
 
+std::string logs_text(const std::vector<Submission>& submissions, const std::vector<LogFeedback>& logs) {
+    std::string text = logs.empty() ? "" : "Logs, which give no points:\n";
+    for (std::size_t i = 0; i < logs.size(); ++i)
+        text += fmt::format("{:>3}  {}: {}\n", i + 1, submissions[i].name, log_text(logs[i], true));
+    return text;
+}
+
 int grade_rubric(const GradeArguments& arguments, const Scene& scene, const Rubric& rubric,
                  const GradeOutputs& outputs) {
     const std::vector<RubricRow>& rows = rubric.rows;
@@ -165,11 +173,14 @@ int grade_rubric(const GradeArguments& arguments, const Scene& scene, const Rubr
     if (!result) throw_failure(result);
     if (!outputs.is_of_one()) folders.sizes().check(!arguments.reference.empty());
     const std::vector<GradedSubmission>& graded = *result;
-    if (outputs.table) print_text(text_table(rows, graded));
+    std::vector<LogFeedback> logs;
+    if (!arguments.logs.empty()) logs = diagnose_logs(scene, submissions, arguments.logs, arguments.threads);
+    if (outputs.table) print_text(text_table(rows, graded) + logs_text(submissions, logs));
     write_text(outputs.csv, csv_table(rows, graded));
-    write_text(outputs.json, json_table(rows, graded));
+    write_text(outputs.json, json_table(rows, graded, logs));
     if (outputs.summary) write_text(outputs.summary, class_summary(rubric, graded, small));
     const StudentResultOptions student{arguments.visibility, !arguments.hide_causes,
+                                       logs.empty() ? "" : log_text(logs.front(), !arguments.hide_causes),
                                        arguments.pictures ? &small : nullptr};
     if (outputs.gradescope)
         write_text(outputs.gradescope, gradescope_results(rubric, graded.front(), student));
@@ -192,6 +203,8 @@ int grade_command(GradeArguments& arguments) {
     if ((arguments.pictures || arguments.hide_causes) && !is_of_one)
         throw Failure(k_usage, fmt::format("{} needs --gradescope OUT or --prairielearn OUT",
                                            arguments.pictures ? "--pictures" : "--hide-causes"));
+    if (!arguments.logs.empty() && arguments.rubric.empty())
+        throw Failure(k_usage, "--logs needs --rubric FILE: a submission is then a folder");
     const GradeOutputs outputs(arguments.outputs, arguments.folder);
     Rubric rubric;
     if (!arguments.rubric.empty()) rubric = load_rubric(arguments.rubric);
@@ -231,6 +244,12 @@ Run add_grade(CLI::App& app) {
         .add_option("--rubric", a.rubric,
                     "Lines of PART POINTS FILE [KEY=VALUE...] (docs/teaching.md): points per part")
         ->option_text("FILE");
+    command
+        .add_option(
+            "--logs", a.logs,
+            "Diagnose the file of each submission with this name, as '*.log': the log of its program at "
+            "some pixels (glint diagnose). Feedback, never points. Needs --rubric")
+        ->option_text("PATTERN");
     command.add_option("--csv", a.outputs.csv, "Write the table as CSV")->option_text("OUT");
     command.add_option("--json", a.outputs.json, "Write all figures and causes as JSON")->option_text("OUT");
     command

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/log_feedback.h"
 #include "glint/compare.h"
 #include "grade/grade_by_rubric.h"
 
@@ -26,6 +27,8 @@ std::string json_table(const std::vector<GradedPicture>& pictures);
 
 std::string text_table(const std::vector<RubricRow>& rows, const std::vector<GradedSubmission>& submissions);
 std::string csv_table(const std::vector<RubricRow>& rows, const std::vector<GradedSubmission>& submissions);
-std::string json_table(const std::vector<RubricRow>& rows, const std::vector<GradedSubmission>& submissions);
+/// logs: of each submission, or none at all.
+std::string json_table(const std::vector<RubricRow>& rows, const std::vector<GradedSubmission>& submissions,
+                       const std::vector<LogFeedback>& logs);
 
 }  // namespace glint::cli

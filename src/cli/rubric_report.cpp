@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "cli/diagnosis_text.h"
 #include "cli/grade_json.h"
 #include "cli/grade_report.h"
 #include "cli/rubric_notes.h"
@@ -17,6 +18,26 @@ double total_alone(const GradedSubmission& submission) {
     double sum = 0;
     for (const GradedPart& part : submission.parts) sum += part.points_alone;
     return rounded_points(sum);
+}
+
+Json log_json(const LogFeedback& log) {
+    Json json = {{"file", log.file}};
+    if (!log.diagnosis) {
+        json["error"] = log.error;
+        return json;
+    }
+    json["text"] = feedback_text(*log.diagnosis, true);
+    json["findings"] = Json::array();
+    for (const DiagnosisFinding& finding : log.diagnosis->findings) {
+        Json causes = Json::array();
+        for (const DiagnosedCause& cause : finding.causes) causes.push_back(cause.id);
+        json["findings"].push_back({{"quantity", finding.quantity},
+                                    {"sure", finding.is_sure},
+                                    {"causes", causes},
+                                    {"pixels", finding.pixels},
+                                    {"first_pixels", finding.first_pixels}});
+    }
+    return json;
 }
 
 }  // namespace
@@ -77,8 +98,8 @@ std::string csv_table(const std::vector<RubricRow>& rubric,
     return text;
 }
 
-std::string json_table(const std::vector<RubricRow>& rubric,
-                       const std::vector<GradedSubmission>& submissions) {
+std::string json_table(const std::vector<RubricRow>& rubric, const std::vector<GradedSubmission>& submissions,
+                       const std::vector<LogFeedback>& logs) {
     Json json = Json::array();
     for (const GradedSubmission& s : submissions) {
         Json item = {
@@ -111,6 +132,7 @@ std::string json_table(const std::vector<RubricRow>& rubric,
         item["costs_most"] =
             most.cause.empty() ? Json(nullptr) : Json{{"cause", most.cause}, {"points", most.points}};
         item["total_alone"] = total_alone(s);
+        if (!logs.empty()) item["log"] = log_json(logs[json.size()]);
         json.push_back(std::move(item));
     }
     return dumped(json);

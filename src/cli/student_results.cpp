@@ -28,7 +28,7 @@ const PartPicture* picture_of(const StudentResultOptions& options, std::size_t r
     return options.pictures == nullptr ? nullptr : options.pictures->find(row);
 }
 
-std::string summary_text(const Rubric& rubric, const GradedSubmission& submission, bool with_causes) {
+std::string points_lost_text(const Rubric& rubric, const GradedSubmission& submission, bool with_causes) {
     const Loss most = costliest(rubric.rows, submission);
     if (most.cause.empty()) return "All parts have all their points.";
     std::string text;
@@ -37,6 +37,13 @@ std::string summary_text(const Rubric& rubric, const GradedSubmission& submissio
                            points_text(all_points(rubric.rows)));
     }
     return text + k_provisional_text;
+}
+
+std::string summary_text(const Rubric& rubric, const GradedSubmission& submission,
+                         const StudentResultOptions& options) {
+    std::string text = points_lost_text(rubric, submission, options.with_causes);
+    if (!options.log.empty()) text += " The log, which gives no points: " + printable(options.log) + ".";
+    return text;
 }
 
 std::string html_of(const std::string& text, const PartPicture& picture) {
@@ -56,7 +63,7 @@ std::string gradescope_results(const Rubric& rubric, const GradedSubmission& sub
                                const StudentResultOptions& options) {
     Json json;
     if (!submission.penalties.empty()) json["score"] = submission.total();  // instead of the tests' sum
-    json["output"] = summary_text(rubric, submission, options.with_causes);
+    json["output"] = summary_text(rubric, submission, options);
     json["output_format"] = "text";
     json["test_output_format"] = "text";
     json["visibility"] = options.visibility;
@@ -99,7 +106,7 @@ std::string prairielearn_results(const Rubric& rubric, const GradedSubmission& s
             errors.push_back(printable(fmt::format("{}: {}", rubric.rows[k].part, parts[k].error)));
         return dumped({{"gradable", false}, {"format_errors", std::move(errors)}});
     }
-    std::string message = summary_text(rubric, submission, options.with_causes);
+    std::string message = summary_text(rubric, submission, options);
     for (const RubricPenalty& penalty : submission.penalties)
         message += " " + penalty_text(penalty, options.with_causes) + ".";
     Json tests = Json::array();

@@ -12,6 +12,7 @@ namespace glint::cli {
 struct StudentResultOptions {
     std::string visibility = "visible";  ///< Gradescope's: visible, hidden, after_due_date, after_published
     bool with_causes = true;             ///< false: points and shares, without what explains them
+    std::string log = {};                ///< what the submission's log shows; empty: no log is asked for
     const PartPictures* pictures = nullptr;  ///< by row; null: none
 };
 

@@ -24,8 +24,6 @@ std::optional<std::int64_t> take_number(std::string_view& text, char after) {
     return number;
 }
 
-std::string_view file_name(std::string_view path) { return path.substr(path.rfind('/') + 1); }
-
 }  // namespace
 
 std::optional<Size> parse_size(std::string_view text) {
@@ -34,6 +32,8 @@ std::optional<Size> parse_size(std::string_view text) {
     if (!height) return std::nullopt;
     return Size{*width, *height};
 }
+
+std::string_view file_name(std::string_view path) { return path.substr(path.rfind('/') + 1); }
 
 std::optional<Pair> parse_pair(std::string_view text) {
     const auto x = take_number(text, ',');

@@ -28,6 +28,9 @@ std::optional<Pair> parse_pair(std::string_view text);
 /// Parses "320x240+10+20".
 std::optional<Crop> parse_crop(std::string_view text);
 
+/// The name of a file without its folders.
+std::string_view file_name(std::string_view path);
+
 /// 1024311 -> "1,024,311".
 std::string with_commas(std::uint64_t number);
 

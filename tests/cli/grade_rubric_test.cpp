@@ -6,6 +6,39 @@
 namespace glint::test {
 namespace {
 
+// The log of a program at some pixels is feedback: what is wrong in it, and no points.
+TEST_F(Grade, LogsGiveNoPoints) {
+    hand_in("in/ada");
+    hand_in("in/ben");
+    folder.write("in/ada/mine.log",
+                 "pixel 40 30\nray camera\nmiss\nend\npixel 41 30\nray camera\nmiss\nend\n");
+    folder.write("in/ben/mine.log", "pixel 40\n");
+    const std::vector<std::string> arguments = {"in",     "--scene", k_castle, "--rubric",
+                                                k_rubric, "--size",  "96x72"};
+    std::vector<std::string> with_logs = arguments;
+    with_logs.insert(with_logs.end(), {"--logs", "*.log"});
+    const auto without = graded(arguments), json = graded(with_logs);
+    ASSERT_EQ(json.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(json[i]["total"], without[i]["total"]);
+    EXPECT_FALSE(without[0].contains("log"));
+    EXPECT_EQ(json[0]["log"]["findings"][0]["quantity"], "shape");
+    EXPECT_TRUE(contains(json[0]["log"]["file"], "in/ada/mine.log"));
+    EXPECT_TRUE(contains(json[1]["log"]["error"], "expected `pixel X Y`")) << json[1]["log"];
+    with_logs.insert(with_logs.begin(), "grade");
+    const auto table = run(folder, with_logs);
+    EXPECT_TRUE(contains(
+        table.out,
+        "Logs, which give no points:\n  1  ada: mine.log: The shape that is hit is wrong in 2 of 2 pixels"))
+        << table.out;
+    // For a student.
+    const auto own = run(folder, {"grade", "in/ada", "--scene", k_castle, "--rubric", k_rubric, "--size",
+                                  "96x72", "--logs", "*.log", "--hide-causes", "--gradescope", "-"});
+    EXPECT_TRUE(contains(
+        own.out, "The log, which gives no points: mine.log: The shape that is hit is wrong in 2 of 2 pixels"))
+        << own.out;
+    EXPECT_EQ(run(folder, {"grade", "in", "--scene", k_castle, "--logs", "*.log"}).code, 2);
+}
+
 TEST_F(Grade, ByRt2sRubric) {
     hand_in("in/ada");
     hand_in("in/ben");
