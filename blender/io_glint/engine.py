@@ -75,7 +75,12 @@ class GlintRenderEngine(bpy.types.RenderEngine):
         width, height = crop[:2] if crop else camera.picture_size(scene.render)
         result = self.begin_result(0, 0, width, height, layer=depsgraph.view_layer_eval.name)
         try:  # Blender crashes if a result is not ended
-            result.layers[0].load_from_file(combined)
+            if scene.render.film_transparent:
+                # load_from_file() multiplies by alpha what is multiplied already.
+                first = exr.read(combined)[0]
+                result.layers[0].passes["Combined"].rect = passes.pixels(first, passes.COMBINED)
+            else:
+                result.layers[0].load_from_file(combined)
             for layer, pixels in found.items():
                 target = result.layers[0].passes.get(passes.PASSES[layer][0])
                 if target is not None:

@@ -8,6 +8,7 @@ from bpy_extras.io_utils import ExportHelper
 
 from .export.camera import CameraError
 from .export_files import export_animation, export_file
+from .properties import draw_settings
 
 EVALUATIONS = (
     ("RENDER", "As rendered", "Modifiers and visibility as in a render; replaces the Render Result"),
@@ -68,9 +69,7 @@ class EXPORT_SCENE_OT_glint(bpy.types.Operator, _Export):
         layout.use_property_split = True
         for name in ("format", "evaluation", "animation"):
             layout.prop(self, name)
-        settings = context.scene.glint
-        for name in ("shading", "reflections", "aa", "light_scale", "facing", "fresnel", "glass_shadow", "recognise"):
-            layout.prop(settings, name)
+        draw_settings(layout, context.scene)
 
 
 class EXPORT_SCENE_OT_rt2(bpy.types.Operator, _Export):

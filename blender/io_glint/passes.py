@@ -22,6 +22,8 @@ BUILT_IN = {"depth": "use_pass_z", "normal": "use_pass_normal", "position": "use
             "object": "use_pass_object_index", "material": "use_pass_material_index",
             "albedo": "use_pass_diffuse_color", "background": "use_pass_environment"}
 OWN = tuple(layer for layer in PASSES if layer not in BUILT_IN)
+COMBINED = "combined"  # glint's picture with its alpha, which is no layer
+CHANNELS = {COMBINED: ("R", "G", "B", "A"), **{layer: channels for layer, (_, _, channels, _) in PASSES.items()}}
 FAR = 1e10  # Blender's depth where nothing is hit
 
 
@@ -35,7 +37,7 @@ def wanted(view_layer):
 def pixels(part, layer):
     """A part as Blender's pass.rect takes it: for each pixel its channels, rows from the bottom."""
     columns = []
-    for name in PASSES[layer][2]:
+    for name in CHANNELS[layer]:
         column = part.channels[name]
         if layer == "depth":
             column = [min(v, FAR) for v in column]

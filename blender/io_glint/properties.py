@@ -16,6 +16,10 @@ SHAPE_ITEMS = (
     ("BOX", "Box", "The mesh's bounding box in the object's space"),
 )
 
+# In the order of the panel.
+SCENE_SETTINGS = ("shading", "reflections", "aa", "adaptive", "light_samples", "light_scale", "mist", "occlusion",
+                  "facing", "fresnel", "glass_shadow", "recognise")
+
 
 class GlintSceneSettings(bpy.types.PropertyGroup):
     """scene.glint"""
@@ -38,16 +42,32 @@ class GlintSceneSettings(bpy.types.PropertyGroup):
         ("opaque", "Opaque", "Glass blocks light")), default=Options.glass_shadow)
     reflections: IntProperty(name="Reflections", default=Options.reflections, min=-1, max=1000,
                              description="Most generations of mirror and glass rays; -1: Cycles' bounces, at most 12")
-    aa: IntProperty(name="Samples", default=Options.aa, min=1, max=64,
+    aa: IntProperty(name="Samples per side", default=Options.aa, min=1, max=64,
                     description="n: n x n regular samples for each pixel")
+    adaptive: BoolProperty(name="Adaptive", default=Options.adaptive,
+                           description="Take these samples only where pixels differ from their neighbors, and one elsewhere")
+    light_samples: IntProperty(name="Light samples per side", default=Options.light_samples, min=1, max=64,
+                               description="n: n x n samples of each area light, and of each point light with a radius")
     light_scale: FloatProperty(name="Light scale", default=Options.light_scale, min=0.0, soft_max=10.0,
                                description="All lights are multiplied by this")
+    mist: BoolProperty(name="Mist as fog", default=Options.mist,
+                       description="The world's mist, which Blender has as a pass only, hides what is far away")
+    occlusion: BoolProperty(name="World light is blocked", default=Options.occlusion,
+                            description="Shapes block the world's light (ambient occlusion); else it is the same everywhere")
     recognise: BoolProperty(name="Recognise shapes", default=Options.recognise,
                             description="Export smooth balls, tubes and boxes as glint's own shapes")
 
     def options(self, **more):
-        names = ("shading", "facing", "fresnel", "glass_shadow", "reflections", "aa", "light_scale", "recognise")
-        return Options(**{name: getattr(self, name) for name in names}, **more)
+        return Options(**{name: getattr(self, name) for name in SCENE_SETTINGS}, **more)
+
+
+def draw_settings(layout, scene):
+    """The scene's settings, in the panel of the engine and in the export's."""
+    for name in SCENE_SETTINGS:
+        layout.prop(scene.glint, name)
+        if name == "mist" and scene.glint.mist and scene.world is not None:
+            for part in ("start", "depth"):
+                layout.prop(scene.world.mist_settings, part, text=f"Mist {part}")
 
 
 def register():

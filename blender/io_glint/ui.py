@@ -5,6 +5,7 @@ from bpy.props import BoolProperty, StringProperty
 
 from .export import keys
 from .passes import BUILT_IN, OWN
+from .properties import draw_settings
 
 # Panels of what glint has not, or has a panel of its own for.
 EXCLUDED = {"DATA_PT_light", "VIEWLAYER_PT_filter", "VIEWLAYER_PT_layer_passes", "RENDER_PT_gpencil",
@@ -27,10 +28,8 @@ class RENDER_PT_glint(_Panel, bpy.types.Panel):
         return context.engine in cls.COMPAT_ENGINES
 
     def draw(self, context):
-        layout, settings = self.layout, context.scene.glint
-        layout.use_property_split = True
-        for name in ("shading", "reflections", "aa", "light_scale", "facing", "fresnel", "glass_shadow", "recognise"):
-            layout.prop(settings, name)
+        self.layout.use_property_split = True
+        draw_settings(self.layout, context.scene)
 
 
 class OBJECT_PT_glint(_Panel, bpy.types.Panel):

@@ -6,8 +6,8 @@ from . import nodes
 from .text import block, number, vector
 
 MAX_PRODUCT = 1e6  # what glint takes as intensity times color
-MAX_SCALE = 1e4
 SOFT = 0.05
+ROUND = 1.02  # an ellipse with axes of this ratio is taken as a disc
 
 
 def describe(ob):
@@ -43,55 +43,110 @@ def _intensity(light):
     return (top, tuple(c / top for c in light)) if top else (0.0, (1.0, 1.0, 1.0))
 
 
-def point_block(name, position, light):
-    """light: I_l at distance 1. glint's attenuation is min(1/(c2 d^2), 1): the common factor K moves its limit to
-    d = 1/sqrt(K), a centimetre."""
+def _entries(light, data):
+    """What lights at a place have in common; light: I_l at distance 1. The convention clamp_attenuation is false."""
     intensity, color = _intensity(light)
-    k = min(MAX_SCALE, MAX_PRODUCT / intensity) if intensity else 1.0
-    return block("light", name, [("position", vector(position)), ("intensity", number(k * intensity)),
-                                 ("color", vector(color)), ("attenuation", vector((0, 0, k)))])
+    entries = [("intensity", number(intensity)), ("color", vector(color)), ("attenuation", vector((0, 0, 1)))]
+    return entries + _shadows(data)
 
 
-def sun_block(name, to_light, light):
+def _shadows(data):
+    cycles = getattr(getattr(data, "cycles", None), "cast_shadow", True)
+    return [] if getattr(data, "use_shadow", True) and cycles else [("casts_shadows", "false")]
+
+
+def _samples(count):
+    return [("samples_u", str(count)), ("samples_v", str(count)), ("jitter", "true")]
+
+
+def point_block(name, position, light, data, samples):
+    """A point, or a sphere of its radius."""
+    entries = [("position", vector(position)), *_entries(light, data)]
+    if data.shadow_soft_size > 0:
+        entries = [("type", "sphere"), *entries, ("radius", number(data.shadow_soft_size)), *_samples(samples)]
+    return block("light", name, entries)
+
+
+def spot_angles(size, blend):
+    """(inner, outer) half angles in degrees of Blender's full angle and blend: both programs have a cubic step in the cosine."""
+    outer = math.cos(size / 2)
+    inner = outer + (1 - outer) * blend
+    return math.degrees(math.acos(min(1.0, inner))), math.degrees(size / 2)
+
+
+def spot_block(name, position, axis, light, data):
+    """Cycles multiplies by the cosine off the axis: tightness 1."""
+    inner, outer = spot_angles(data.spot_size, data.spot_blend)
+    return block("light", name, [("type", "spot"), ("position", vector(position)), ("axis", vector(axis)),
+                                 ("inner_angle", number(inner)), ("outer_angle", number(outer)), ("tightness", "1"),
+                                 *_entries(light, data)])
+
+
+def area_block(name, matrix, light, data, samples, report, item):
+    """A one-sided rectangle or disc that shines along the object's -z axis."""
+    x, y, z = (matrix.to_3x3().col[i] for i in range(3))
+    size_x = data.size
+    size_y = data.size_y if data.shape in ("RECTANGLE", "ELLIPSE") else data.size
+    side_x, side_y = tuple(c * size_x for c in x), tuple(c * size_y for c in y)
+    half_x, half_y = math.hypot(*side_x) / 2, math.hypot(*side_y) / 2
+    if not (half_x > 0 and half_y > 0 and z.length > 0):
+        report.warn(item, "left out: its size or scale of 0 leaves it no area")
+        return None
+    if data.shape in ("DISK", "ELLIPSE"):
+        if max(half_x, half_y) < ROUND * min(half_x, half_y):
+            extent = [("type", "disc"), ("axis", vector(tuple(-c for c in z.normalized()))),
+                      ("radius", number(math.sqrt(half_x * half_y)))]
+            return block("light", name, [extent[0], ("position", vector(matrix.translation)), *extent[1:], ("one_sided", "true"),
+                                         *_samples(samples), *_entries(light, data)])
+        report.warn(item, "its ellipse is exported as a rectangle of the same area")
+        side_x, side_y = (tuple(c * math.sqrt(math.pi) / 2 for c in side) for side in (side_x, side_y))
+    if getattr(data, "spread", math.pi) < math.pi - 1e-4:
+        report.warn(item, "its spread is ignored: it shines to all sides of its front")
+    # The front is that of side_u x side_v.
+    return block("light", name, [("type", "parallelogram"), ("position", vector(matrix.translation)), ("side_u", vector(side_y)),
+                                 ("side_v", vector(side_x)), ("one_sided", "true"), *_samples(samples), *_entries(light, data)])
+
+
+def sun_block(name, to_light, light, data):
     intensity, color = _intensity(light)
     return block("light", name, [("type", "directional"), ("to_light", vector(to_light)),
-                                 ("intensity", number(intensity)), ("color", vector(color))])
+                                 ("intensity", number(intensity)), ("color", vector(color)), *_shadows(data)])
 
 
 def ambient_block(radiance=(1.0, 1.0, 1.0)):
     return block("light", None, [("type", "ambient"), ("color", vector(radiance))])
 
 
-def light_text(ob, matrix, scale, focus, report):
+def light_text(ob, matrix, scale, focus, samples, report):
     """The block of a light under a world matrix; None, with a report, for what glint has not.
 
-    scale: what all powers are multiplied by. focus: a point of interest, by which a radius is called large."""
+    scale: what all powers are multiplied by. focus: a point of interest, by which an angle or a radius is called large.
+    samples: n x n of a light with an extent."""
     data, item = ob.data, describe(ob)
     values = [v for row in matrix for v in row]
     color, energy = power(data, report, item)
     if not all(math.isfinite(v) for v in (*values, *color, energy)):
         report.warn(item, "left out: it has numbers that are not finite")
         return None
-    if data.type in ("SPOT", "AREA"):
-        report.warn(item, f"left out: glint has no {data.type.lower()} lights")
-        return None
-    if not getattr(data, "use_shadow", True) or not getattr(getattr(data, "cycles", None), "cast_shadow", True):
-        report.warn(item, "it has no shadows in Blender; in glint every light has")
     if any(getattr(data, f"{part}_factor", 1.0) != 1.0 for part in ("diffuse", "specular")):
         report.warn(item, "its diffuse and specular factors are ignored, as in Cycles")
     light = tuple(c * scale for c in classical(data.type, color, energy))
     if max(abs(c) for c in light) > MAX_PRODUCT:
         report.warn(item, "left out: it is brighter than glint takes (1e6)")
         return None
+    if data.type == "AREA":
+        return area_block(ob.name, matrix, light, data, samples, report, item)
+    position, axis = tuple(matrix.translation), matrix.to_3x3().col[2]
+    if data.type == "POINT":
+        return point_block(ob.name, position, light, data, samples)
+    if axis.length == 0:
+        report.warn(item, "left out: its scale of 0 leaves it no direction")
+        return None
+    to_light = tuple(axis.normalized())
     if data.type == "SUN":
         if data.angle > SOFT:
             report.warn(item, f"its angle of {math.degrees(data.angle):.3g} degrees is ignored: shadows are hard")
-        axis = matrix.to_3x3().col[2]
-        if axis.length == 0:
-            report.warn(item, "left out: its scale of 0 leaves it no direction")
-            return None
-        return sun_block(ob.name, tuple(axis.normalized()), light)
-    position = tuple(matrix.translation)
+        return sun_block(ob.name, to_light, light, data)
     if data.shadow_soft_size > SOFT * math.dist(position, focus):
         report.warn(item, f"its radius of {data.shadow_soft_size:.3g} is ignored: shadows are hard")
-    return point_block(ob.name, position, light)
+    return spot_block(ob.name, position, tuple(-c for c in to_light), light, data)

@@ -11,6 +11,10 @@ class Options:
     glass_shadow: str = "none"
     reflections: int = -1  # -1: Cycles' bounces, at most 12
     aa: int = 3
+    adaptive: bool = False  # pixels that differ from their neighbours get aa x aa samples, the others one
+    light_samples: int = 4  # n x n of a light with an extent
+    mist: bool = False  # the world's mist is fog
+    occlusion: bool = False  # the world's light is blocked by shapes
     light_scale: float = 1.0
     recognise: bool = True  # AUTO shapes; else all are meshes
     collection: str = ""  # RT2: its name; empty: scene_custom if there is one, else everything

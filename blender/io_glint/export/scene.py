@@ -2,7 +2,7 @@
 """A depsgraph as the text of a .glint scene."""
 import gc
 
-from . import camera, light, material, measure, mesh, shape_text, shapes, text, walk, world
+from . import camera, light, material, measure, mesh, phong, shape_text, shapes, text, walk, world
 
 MAX_REFLECTIONS = 12
 
@@ -39,22 +39,26 @@ class SceneText:
         self.scene = depsgraph.scene_eval if hasattr(depsgraph, "scene_eval") else depsgraph.scene
         self.view = camera.read(_evaluated(depsgraph.scene.camera, depsgraph), self.scene, report)
         self.background = world.radiance(self.scene.world, report)
-        self.table = material.MaterialTable(report, self.background, find_material, options.shading)
+        # The world lights surfaces by k_a, or by the block occlusion.
+        ambient = phong.BLACK if options.occlusion else self.background
+        self.table = material.MaterialTable(report, ambient, find_material, options.shading)
         self.focus = tuple(p + 10 * f for p, f in zip(self.view.position, self.view.forward))
         self._meshes, self._lights, self._chunks = mesh.MeshCache(), [], []
 
     def text(self):
         for item in walk.items(self.depsgraph, self.report):
             if item.ob.type == "LIGHT":
-                block = light.light_text(item.ob, item.matrix, self.options.light_scale, self.focus, self.report)
+                block = light.light_text(item.ob, item.matrix, self.options.light_scale, self.focus,
+                                         self.options.light_samples, self.report)
                 if block:
                     self._lights.append(block)
             else:
                 self._add_object(item)
         report_render_settings(self.scene, self.report)
+        sky = list(self._sky())
         if self.table.has_ambient:
             self._lights.insert(0, light.ambient_block())
-        parts = [*self._head(), *self._lights, "", *self.table.blocks(), "", *self._chunks]
+        parts = [*self._head(), *sky, *self._lights, "", *self.table.blocks(), "", *self._chunks]
         return "\n".join(parts) + "\n"
 
     def _head(self):
@@ -63,11 +67,19 @@ class SceneText:
         for warning in self.report.warnings:
             yield text.comment(warning)
         yield (f"conventions {{ facing = {options.facing}  fresnel = {options.fresnel}  "
-               f"glass_shadow = {options.glass_shadow} }}")
+               f"glass_shadow = {options.glass_shadow}  clamp_attenuation = false }}")
+        aa = text.string(f"adaptive:{options.aa}") if options.adaptive and options.aa > 1 else options.aa
+        alpha = "  alpha = true" if self.scene.render.film_transparent else ""
         yield (f"render {{ size = {width} x {height}  shading = {options.shading}  "
-               f"reflections = {self._reflections()}  aa = {options.aa} }}")
+               f"reflections = {self._reflections()}  aa = {aa}{alpha} }}")
         yield f"background = {text.vector(self.background)}"
         yield camera.camera_block(self.view)
+
+    def _sky(self):
+        if self.options.mist and self.scene.world is not None:
+            yield world.fog_block(self.scene.world, self.background, self.report)
+        if self.options.occlusion and any(self.background):
+            yield world.occlusion_block(self.background)
 
     def _reflections(self):
         if self.options.reflections >= 0:
@@ -134,8 +146,6 @@ def report_render_settings(scene, report):
     item, render = f"scene '{scene.name}'", scene.render
     if render.use_motion_blur:
         report.warn(item, "motion blur is ignored")
-    if render.film_transparent:
-        report.warn(item, "the transparent film is ignored: the background is opaque")
     if render.use_freestyle:
         report.warn(item, "Freestyle lines are ignored")
 

@@ -2,6 +2,9 @@
 """The world's radiance: glint's background and, times k_d, its ambient term."""
 from . import keys, nodes
 from .phong import BLACK
+from .text import block, number, vector
+
+OCCLUSION_SAMPLES = 16  # for each sample of a pixel
 
 
 def radiance(world, report):
@@ -19,3 +22,19 @@ def radiance(world, report):
         return keys.bounded_color(tuple(c * strength for c in color), report, item)
     report.warn(item, f"its shader ({node.bl_label}) cannot be exported; its viewport color is used")
     return tuple(world.color)
+
+
+def fog_block(world, color, report):
+    """The world's mist as fog of the background's color: nothing before its start, all beyond start + depth."""
+    mist = world.mist_settings
+    if mist.falloff != "LINEAR":
+        report.warn(f"world '{world.name}'", f"its mist's falloff ({mist.falloff.lower()}) is taken as linear")
+    if mist.intensity > 0:
+        report.warn(f"world '{world.name}'", "its mist's minimum is ignored")
+    return block("fog", None, [("type", "linear"), ("color", vector(color)), ("start", number(mist.start)),
+                               ("end", number(mist.start + mist.depth))])
+
+
+def occlusion_block(radiance):
+    """The world's light, which shapes block."""
+    return block("occlusion", None, [("samples", str(OCCLUSION_SAMPLES)), ("color", vector(radiance))])

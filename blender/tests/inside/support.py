@@ -124,10 +124,10 @@ class SceneTest(unittest.TestCase):
     def info(self, name="scene.glint"):
         return json.loads(self.glint("info", self.path(name), "--json"))
 
-    def layers(self, *names, scene="scene.glint", more=()):
-        """glint's layers of an exported scene, one sample a pixel: name -> exr.Part."""
+    def layers(self, *names, scene="scene.glint", more=(), aa=1):
+        """glint's layers of an exported scene, aa x aa samples a pixel: name -> exr.Part."""
         out = self.path("layers.exr")
-        self.glint("render", self.path(scene), "-o", out, "--aov", ",".join(names), "--aa", "1", "-q", *more)
+        self.glint("render", self.path(scene), "-o", out, "--aov", ",".join(names), "--aa", str(aa), "-q", *more)
         return {part.name: part for part in exr.read(out)}
 
     # Blender's answers.

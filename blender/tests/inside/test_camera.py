@@ -77,10 +77,10 @@ class Camera(SceneTest):
         camera = self.camera().data
         camera.dof.use_dof = True
         render = self.scene.render
-        render.use_motion_blur = render.film_transparent = render.use_border = True
+        render.use_motion_blur = render.use_border = True
         render.border_min_x, render.border_max_x, render.border_min_y, render.border_max_y = 0.25, 0.5, 0.25, 0.75
         self.export()
-        for word in ("depth of field", "motion blur", "transparent film", "--crop 24x32+24+16"):
+        for word in ("depth of field", "motion blur", "--crop 24x32+24+16"):
             self.assertEqual(sum(word in w for w in self.warnings), 1, self.warnings)
 
     def test_clipping_is_named(self):

@@ -54,6 +54,42 @@ class Engine(SceneTest):
         self.assertEqual(whole.channels["R"][0], 0)
         self.assertEqual(whole.channels["R"][10 * 144 + 14], part.channels["R"][0])
 
+    def test_a_transparent_film(self):
+        self.scene.render.film_transparent = True
+        self.scene.render.image_settings.color_mode = "RGBA"
+        for has_passes in (False, True):
+            bpy.context.view_layer.use_pass_z = has_passes
+            bpy.context.view_layer.update_render_passes()
+            picture, own = self.picture(), self.beauty()
+            self.assert_same(picture, own)
+            self.assertEqual(picture.channels["A"], own.channels["A"])
+            self.assertEqual((min(picture.channels["A"]), max(picture.channels["A"])), (0, 1))
+        corner = [picture.channels[c][0] for c in "RGBA"]
+        self.assertEqual(corner, [0, 0, 0, 0])
+
+    def test_adaptive_samples(self):
+        whole = self.picture()
+        self.scene.glint.adaptive = True
+        adaptive = self.picture("adaptive")
+        self.assert_same(adaptive, self.beauty())
+        self.assertNotEqual(whole.channels["R"], adaptive.channels["R"])
+
+    def test_mist_and_the_worlds_light(self):
+        self.scene.world.mist_settings.start, self.scene.world.mist_settings.depth = 4, 10
+        plain = self.export()
+        self.scene.glint.mist = self.scene.glint.occlusion = True
+        self.scene.world.mist_settings.falloff = "QUADRATIC"
+        text = self.export()
+        self.assertIn("fog { type = linear  color = (0.1, 0.1, 0.2)  start = 4  end = 14 }", text)
+        self.assertIn("occlusion { samples = 16  color = (0.1, 0.1, 0.2) }", text)
+        self.assertEqual([w for w in self.warnings if "mist" in w],
+                         [f"world '{self.scene.world.name}': its mist's falloff (quadratic) is taken as linear"])
+        self.assertIn("type = ambient", plain)
+        self.assertNotIn("type = ambient", text)
+        for block in ("fog {", "occlusion {"):
+            self.assertNotIn(block, plain)
+        self.beauty()
+
     def test_passes(self):
         layer = bpy.context.view_layer
         layer.use_pass_z = layer.use_pass_normal = layer.glint.shadow = True
