@@ -5,7 +5,7 @@ import struct
 from dataclasses import dataclass
 
 from .text import block, number, vector
-from .vectors import dot, sub
+from .vectors import cross, dot, sub
 
 
 class CameraError(Exception):
@@ -18,7 +18,7 @@ class View:
 
     name: str
     position: tuple
-    right: tuple  # the camera's axes, of unit length
+    right: tuple  # the camera's axes, of unit length; a parent's scale may leave them no right angles
     up: tuple
     forward: tuple
     is_perspective: bool
@@ -29,19 +29,25 @@ class View:
     size: tuple  # the whole picture, in pixels
     clip: tuple = (0.0, math.inf)  # Blender shows nothing nearer and nothing farther
 
+    def _coordinates(self, point):
+        """(x, y, depth) along the axes: Cramer's rule, since they need not be at right angles."""
+        away, axes = sub(point, self.position), (self.right, self.up, self.forward)
+        crosses = (cross(axes[1], axes[2]), cross(axes[2], axes[0]), cross(axes[0], axes[1]))
+        volume = dot(axes[0], crosses[0])
+        return tuple(dot(away, c) / volume for c in crosses) if volume else (0.0, 0.0, 0.0)
+
     def depth(self, point):
-        return dot(sub(point, self.position), self.forward)
+        return self._coordinates(point)[2]
 
     def clips(self, points):
         """Whether one of these points is in the picture, but cut off by Blender's clipping."""
         near, far = self.clip
         for point in points:
-            depth = self.depth(point)
+            x, y, depth = self._coordinates(point)
             if near <= depth <= far or not depth > 0:
                 continue
             scale = depth if self.is_perspective else 1.0
-            x, y = (dot(sub(point, self.position), axis) / scale for axis in (self.right, self.up))
-            if self.left <= x <= self.right_edge and self.bottom <= y <= self.top:
+            if self.left <= x / scale <= self.right_edge and self.bottom <= y / scale <= self.top:
                 return True
         return False
 
@@ -49,6 +55,11 @@ class View:
     def fov_x(self):
         """Degrees across the width of the frame, as if it were not shifted."""
         return math.degrees(2 * math.atan((self.right_edge - self.left) / 2))
+
+    @property
+    def is_rigid(self):
+        """Whether look_at and up say all of the axes: they are at right angles, and no mirror image."""
+        return all(abs(a - b) < 1e-6 for a, b in zip(self.right, cross(self.forward, self.up)))
 
     @property
     def is_centred(self):
@@ -123,7 +134,7 @@ def camera_block(view):
         position = _sum((1, position), (x, view.right), (y, view.up))
     entries.append(("position", vector(position)))
     square = abs(width / view.size[0] * view.size[1] / height - 1) < 1e-6
-    if view.is_centred or (square and not view.is_perspective):
+    if view.is_rigid and (view.is_centred or (square and not view.is_perspective)):
         entries += [("look_at", vector(_sum((1, position), (10, view.forward)))), ("up", vector(view.up)),
                     ("fov_x", number(view.fov_x)) if view.is_perspective else ("width", number(width))]
     else:

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Cameras: rays through pixels are Blender's, whatever the projection, the sensor and the picture."""
+import math
+
 import bpy
+from io_glint import exr
 from support import SceneTest
 
 
@@ -48,6 +51,46 @@ class Camera(SceneTest):
         camera.location = camera.location / 2
         camera.scale = (3, 3, 3)
         self.check_hits()
+
+    def cycles_points(self):
+        """The points that Cycles hits, by pixel; (0, 0, 0) is a miss."""
+        render, layer = self.scene.render, bpy.context.view_layer
+        render.engine, layer.use_pass_position = "CYCLES", True
+        cycles = self.scene.cycles
+        cycles.device, cycles.samples, cycles.use_denoising, cycles.pixel_filter_type = "CPU", 1, False, "BOX"
+        cycles.filter_width = 0.01
+        settings = render.image_settings
+        settings.file_format, settings.color_depth, settings.exr_codec = "OPEN_EXR_MULTILAYER", "32", "ZIP"
+        render.filepath = self.path("cycles.exr")
+        bpy.ops.render.render(write_still=True)
+        part = exr.read(render.filepath)[0]
+        return list(zip(*(part.channels[f"{layer.name}.Position.{c}"] for c in "XYZ")))
+
+    def check_points(self):
+        self.export()
+        part = self.layers("position")["position"]
+        ours, theirs = zip(*(part.channels[c] for c in "XYZ")), self.cycles_points()
+        near = [math.dist(a, b) < 0.05 for a, b in zip(ours, theirs)]
+        self.assertGreater(sum(any(p) for p in theirs), 500)
+        self.assertLess(near.count(False), 0.02 * len(near))  # at edges
+
+    def test_a_parent_whose_scale_shears_the_camera(self):
+        parent = self.link(bpy.data.objects.new("rig", None))
+        parent.scale = (1, 2, 0.7)
+        for settings in ({}, {"shift_x": 0.1}, {"type": "ORTHO", "ortho_scale": 8}):
+            with self.subTest(**settings):
+                camera = self.camera(location=(3, -4, 5), **settings)
+                camera.rotation_euler.z += 0.3
+                camera.parent = parent
+                bpy.context.view_layer.update()
+                self.check_hits()
+                self.check_points()
+
+    def test_a_mirrored_camera(self):
+        camera = self.camera()
+        camera.scale.x = -1
+        bpy.context.view_layer.update()
+        self.check_points()
 
     def test_no_camera(self):
         self.scene.camera = None
