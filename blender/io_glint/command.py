@@ -3,11 +3,13 @@
 import os
 import re
 import shutil
+import signal
 import subprocess
 import threading
 
-NOT_FOUND = ("The glint command was not found. Build it (make build) and set its path in Edit > Preferences > Add-ons > "
-             "glint, or put it into PATH, or set the environment variable GLINT")
+NOT_FOUND = ("The glint command was not found. Take it from a release of glint, and set its path in Edit > Preferences > "
+             "Add-ons > glint, or put it into PATH, or set the environment variable GLINT")
+OLDEST = (0, 3)  # the version whose language the add-on writes
 _ESCAPE = re.compile(r"\x1b\[[0-9;]*[A-Za-z]")
 _PERCENT = re.compile(r"(\d{1,3})%")
 
@@ -34,6 +36,40 @@ def version(path):
     if run.returncode or "glint" not in line:
         raise OSError(f"{path} is not glint: it answered '{line or run.stderr.strip()[:80]}'")
     return line
+
+
+def not_found_text(preference):
+    """What to say if find() has found nothing."""
+    return (f"The glint command of the preferences, {preference}, is no program that can be run (Edit > Preferences > "
+            "Add-ons > glint)" if preference else NOT_FOUND)
+
+
+_checked = {}  # (path, time of change): the fault, or None
+
+
+def version_fault(path):
+    """Why this glint is too old or none; None if it can be used. It is asked once, and again when the file has changed."""
+    try:
+        key = path, os.stat(path).st_mtime_ns
+        if key not in _checked:
+            line = version(path)
+            found = re.search(r"(\d+)\.(\d+)", line)
+            is_old = found is not None and tuple(map(int, found.groups())) < OLDEST
+            _checked[key] = (f"{path} is {line}: this add-on needs version {'.'.join(map(str, OLDEST))} or later"
+                             if is_old else None)
+        return _checked[key]
+    except OSError as error:
+        return str(error)
+
+
+def exit_text(code):
+    """How a run ended that printed no error."""
+    if code < 0:
+        try:
+            return f"glint was ended by the signal {signal.Signals(-code).name}"
+        except ValueError:
+            return f"glint was ended by the signal {-code}"
+    return f"glint ended with exit code {code}"
 
 
 class Run:

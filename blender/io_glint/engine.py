@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The render engine "glint": F12 and animations by the glint command."""
 import os
+import shutil
 import tempfile
 
 import bpy
@@ -9,8 +10,8 @@ from . import command, exr, passes
 from .export import camera
 from .export.files import write_text
 from .export.report import Report
-from .export.scene import glint_text
-from .preferences import glint_path
+from .export.scene import SceneText, Stopped, write
+from .preferences import glint_path, wanted_path
 
 POLL = 0.02  # seconds
 
@@ -42,6 +43,8 @@ class GlintRenderEngine(bpy.types.RenderEngine):
         try:
             with tempfile.TemporaryDirectory(prefix="glint-") as folder:
                 self._render(depsgraph, folder, report)
+        except Stopped:
+            pass
         except (RenderFailed, camera.CameraError, OSError, exr.ExrError, RuntimeError) as error:
             self.error_set(f"glint: {error}")  # stops an animation
             self.report({"ERROR"}, f"glint: {error}")
@@ -51,12 +54,14 @@ class GlintRenderEngine(bpy.types.RenderEngine):
     def _render(self, depsgraph, folder, report):
         path = glint_path()
         if path is None:
-            raise RenderFailed(command.NOT_FOUND)
+            raise RenderFailed(command.not_found_text(wanted_path()))
+        if fault := command.version_fault(path):
+            raise RenderFailed(fault)
         self.update_stats("", "glint: writing the scene")
         scene = depsgraph.scene_eval
-        text = glint_text(depsgraph, scene.glint.options(), report, bpy.data.materials.get)
+        written = SceneText(depsgraph, scene.glint.options(), report, bpy.data.materials.get, self._is_stopped)
         file = os.path.join(folder, "scene.glint")
-        write_text(file, text)
+        write_text(file, write(written))
         layers = passes.wanted(depsgraph.view_layer_eval)
         crop = camera.border(scene.render)
         combined = picture = os.path.join(folder, "picture.exr")
@@ -65,13 +70,16 @@ class GlintRenderEngine(bpy.types.RenderEngine):
             arguments += ["--crop", "{}x{}+{}+{}".format(*crop)]
         if layers:
             arguments += ["--aov", ",".join(layers)]
-        if not self._run(arguments, report):
+        if scene.render.threads_mode == "FIXED":
+            arguments += ["--threads", str(scene.render.threads)]
+        if not self._run(arguments, folder, report):
             return
         found = {}
         if layers:
             combined = os.path.join(folder, "combined.exr")
             exr.write_first_part(picture, combined)  # Blender loads plain files only
-            found = {part.name: passes.pixels(part, part.name) for part in exr.read(picture, layers)}
+            found = {part.name: passes.pixels(passes.converted(part, part.name, written, crop), part.name)
+                     for part in exr.read(picture, layers)}
         width, height = crop[:2] if crop else camera.picture_size(scene.render)
         result = self.begin_result(0, 0, width, height, layer=depsgraph.view_layer_eval.name)
         try:  # Blender crashes if a result is not ended
@@ -92,7 +100,7 @@ class GlintRenderEngine(bpy.types.RenderEngine):
         """Whether the user pressed Esc."""
         return self.test_break()
 
-    def _run(self, arguments, report):
+    def _run(self, arguments, folder, report):
         """Runs glint to its end; false if the user stopped it."""
         try:
             run = command.Run(arguments)
@@ -107,13 +115,23 @@ class GlintRenderEngine(bpy.types.RenderEngine):
                 shown = run.progress
                 self.update_progress(shown)
                 self.update_stats("", f"glint: {100 * shown:.0f}%")
-        errors, warnings = command.diagnostics(run.messages())
+        # The folder is gone when the user reads this.
+        messages = [message.replace(folder + os.sep, "") for message in run.messages()]
+        errors, warnings = command.diagnostics(messages)
         for warning in warnings:
             report.warn("glint", warning.rpartition("warning: ")[2])
         if code:
-            raise RenderFailed(errors[0] if errors else f"glint ended with exit code {code}: "
-                               + " ".join(run.messages()[-3:]))
+            raise RenderFailed(f"{errors[0] if errors else ': '.join([command.exit_text(code), *messages[-3:]])}. The "
+                               f"scene is kept in {self._keep(folder)}")
         return True
+
+    @staticmethod
+    def _keep(folder):
+        """Moves the scene's file to where it stays."""
+        kept, name = tempfile.mkstemp(prefix="glint-failed-", suffix=".glint")
+        os.close(kept)
+        shutil.copyfile(os.path.join(folder, "scene.glint"), name)
+        return name
 
 
 classes = (GlintRenderEngine,)

@@ -27,6 +27,9 @@ class _Export(ExportHelper):
                             description="One file for each frame, NAME.0001.glint, and a script that renders them")
 
     def export(self, context, options, as_rt2):
+        if not os.path.basename(self.filepath):
+            self.report({"ERROR"}, "No file: give a file name")
+            return {"CANCELLED"}
         path = bpy.path.abspath(self.filepath)
         if not os.path.splitext(path)[1]:
             path += self.filename_ext

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """glint's layers as Blender's render passes: pure tables and lists."""
+import bisect
+import itertools
 
 # layer of glint: (name of Blender's pass, its channels, the layer's channels, kind)
 PASSES = {
@@ -34,13 +36,33 @@ def wanted(view_layer):
             if getattr(view_layer, BUILT_IN.get(layer, ""), False) or getattr(own, layer, False)]
 
 
+def converted(part, layer, written, crop):
+    """Replaces glint's depths and numbers by Blender's: depths along the view's axis, pass indices.
+
+    written: the SceneText."""
+    for name, values in part.channels.items():
+        if layer == "depth":
+            lengths = written.view.ray_lengths(crop)
+            part.channels[name] = [min(v / length, FAR) for v, length in zip(values, lengths)]
+        elif layer == "object":
+            part.channels[name] = _indices(values, *zip(*written.object_indices)) if written.object_indices else values
+        elif layer == "material":
+            known = written.material_indices
+            part.channels[name] = [known[int(v) - 1] if 0 < v <= len(known) else 0 for v in values]
+    return part
+
+
+def _indices(numbers, counts, indices):
+    """The index of each shape's object; shapes are numbered from 1, 0 is none."""
+    ends = list(itertools.accumulate(counts))
+    return [indices[bisect.bisect_left(ends, int(v))] if 0 < v <= ends[-1] else 0 for v in numbers]
+
+
 def pixels(part, layer):
     """A part as Blender's pass.rect takes it: for each pixel its channels, rows from the bottom."""
     columns = []
     for name in CHANNELS[layer]:
         column = part.channels[name]
-        if layer == "depth":
-            column = [min(v, FAR) for v in column]
         flipped = []
         for row in range(part.height - 1, -1, -1):
             flipped.extend(column[row * part.width:(row + 1) * part.width])

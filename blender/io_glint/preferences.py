@@ -6,10 +6,15 @@ from bpy.props import StringProperty
 from . import command
 
 
+def wanted_path():
+    """The path in the preferences; may be empty."""
+    addon = bpy.context.preferences.addons.get(__package__)
+    return bpy.path.abspath(addon.preferences.glint_path) if addon else ""
+
+
 def glint_path():
     """The command's path, or None."""
-    addon = bpy.context.preferences.addons.get(__package__)
-    return command.find(bpy.path.abspath(addon.preferences.glint_path) if addon else "")
+    return command.find(wanted_path())
 
 
 class GlintPreferences(bpy.types.AddonPreferences):
@@ -22,7 +27,7 @@ class GlintPreferences(bpy.types.AddonPreferences):
         self.layout.prop(self, "glint_path")
         path = glint_path()
         row = self.layout.row()
-        row.label(text=f"Used: {path}" if path else "There is no glint here: set its path, or put it into PATH",
+        row.label(text=f"Used: {path}" if path else "No glint: set its path, or put it into PATH",
                   icon="CHECKMARK" if path else "ERROR")
         row.operator("glint.find")
 
@@ -35,7 +40,7 @@ class GLINT_OT_find(bpy.types.Operator):
     def execute(self, _context):
         path = glint_path()
         if path is None:
-            self.report({"ERROR"}, command.NOT_FOUND)
+            self.report({"ERROR"}, command.not_found_text(wanted_path()))
             return {"CANCELLED"}
         try:
             self.report({"INFO"}, f"{command.version(path)}: {path}")

@@ -34,29 +34,29 @@ std::vector<std::string> convention_sentences(const LogModel& model) {
         return false;
     };
     if (rules.rows_from_bottom)
-        list.push_back(model.log.rows_from_bottom
-                           ? "Rows count from the bottom, as the log says."
-                           : "Rows count from the bottom (with rows from the top the camera rays do not "
-                             "agree; if your picture is upside down, this is why).");
+        list.emplace_back(model.log.rows_from_bottom
+                              ? "Rows count from the bottom, as the log says."
+                              : "Rows count from the bottom (with rows from the top the camera rays do not "
+                                "agree; if your picture is upside down, this is why).");
     bool has_length = false;
     for (const LoggedPixel& pixel : model.log.pixels)
         for (const LoggedRay& ray : pixel.rays)
             if (const auto d = ray.vector(Quantity::direction); d && std::fabs(length(*d).v - 1) > 1e-3)
                 has_length = true;
     if (has_length && says(Quantity::t))
-        list.push_back(rules.has_unit_t ? "D is not of unit length; t is a distance in the world."
-                                        : "D is not of unit length; t is in lengths of D.");
-    if (rules.light_sign < 0) list.push_back("L points from the light to P.");
-    if (rules.view_sign < 0) list.push_back("V points from the eye to P.");
-    if (rules.turns_normals) list.push_back("N is logged before it is turned towards the ray.");
-    if (rules.reflected_sign < 0) list.push_back("R points to the surface.");
+        list.emplace_back(rules.has_unit_t ? "D is not of unit length; t is a distance in the world."
+                                           : "D is not of unit length; t is in lengths of D.");
+    if (rules.light_sign < 0) list.emplace_back("L points from the light to P.");
+    if (rules.view_sign < 0) list.emplace_back("V points from the eye to P.");
+    if (rules.turns_normals) list.emplace_back("N is logged before it is turned towards the ray.");
+    if (rules.reflected_sign < 0) list.emplace_back("R points to the surface.");
     std::string scaled;
     for (int i = 0; i < k_quantities; ++i)
         if (rules.white[static_cast<std::size_t>(i)] == 255)
             scaled += fmt::format("{}{}", scaled.empty() ? "" : ", ", info_of(static_cast<Quantity>(i)).key);
     if (!scaled.empty()) list.push_back(fmt::format("These colors go to 255: {}.", scaled));
     if (rules.weight_is_product)
-        list.push_back("The weight of a ray is its factor in the pixel: the product along its path.");
+        list.emplace_back("The weight of a ray is its factor in the pixel: the product along its path.");
     const auto unmatched = [](const std::vector<LogLabel>& labels, const std::vector<std::uint32_t>& of) {
         std::string names;
         for (std::size_t i = 0; i < labels.size(); ++i)
@@ -73,15 +73,15 @@ std::vector<std::string> convention_sentences(const LogModel& model) {
     const auto shape_offsets = offset(model.log.shape_labels, rules.shape_of),
                light_offsets = offset(model.log.light_labels, rules.light_of);
     if (shape_offsets == std::set<std::int64_t>{0})
-        list.push_back("Shapes are numbered from 0, in the scene's order.");
+        list.emplace_back("Shapes are numbered from 0, in the scene's order.");
     if (shape_offsets.size() > 1)
-        list.push_back(
+        list.emplace_back(
             "Shapes are numbered in another order than the scene's; they are told by where they are hit.");
     if (light_offsets == std::set<std::int64_t>{0})
-        list.push_back("Lights are numbered from 0, in the scene's order.");
+        list.emplace_back("Lights are numbered from 0, in the scene's order.");
     if (light_offsets.size() > 1 ||
         (light_offsets.size() == 1 && *light_offsets.begin() != 0 && *light_offsets.begin() != 1))
-        list.push_back(
+        list.emplace_back(
             "Lights are numbered otherwise than in the scene (ambient lights may be left out); they are told "
             "by their direction.");
     if (const std::string names = unmatched(model.log.shape_labels, rules.shape_of); !names.empty())

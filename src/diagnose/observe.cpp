@@ -135,7 +135,9 @@ class PlaceVisitor {
             if (!visit_ray(ray)) return false;
             steps.push_back({step.ray, true});
             const std::vector<std::int32_t>& next = children_[static_cast<std::size_t>(step.ray)];
-            for (auto i = next.rbegin(); i != next.rend(); ++i) steps.push_back({*i, false});
+            std::for_each(next.rbegin(), next.rend(), [&](std::int32_t child) {
+                steps.push_back({child, false});
+            });
         }
         return true;
     }

@@ -51,6 +51,22 @@ class View:
                 return True
         return False
 
+    def ray_lengths(self, crop=None):
+        """For each pixel, rows from the top: the length of its ray from the eye to the depth 1; glint's depths are lengths.
+        crop: as border() gives it."""
+        (width, height), (columns, rows, first_x, first_y) = self.size, crop or (*self.size, 0, 0)
+        if not self.is_perspective:
+            return [1.0] * (columns * rows)
+        xs = [self.left + (self.right_edge - self.left) * (i + 0.5) / width for i in range(first_x, first_x + columns)]
+        squared = [1 + dot(self.right, self.right) * x * x + 2 * x * dot(self.right, self.forward) for x in xs]
+        lengths = []
+        for j in range(first_y, first_y + rows):
+            y = self.top - (self.top - self.bottom) * (j + 0.5) / height
+            along = y * y + 2 * y * dot(self.up, self.forward)
+            across = 2 * y * dot(self.right, self.up)
+            lengths += [math.sqrt(s + along + across * x) for s, x in zip(squared, xs)]
+        return lengths
+
     @property
     def fov_x(self):
         """Degrees across the width of the frame, as if it were not shifted."""

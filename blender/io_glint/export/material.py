@@ -33,7 +33,7 @@ class MaterialTable:
         """world: its radiance, three floats. find_material: name -> Blender material or None."""
         self.report, self.world, self.find_material = report, world, find_material
         self.shading = shading
-        self._names, self._keys = UniqueNames(), {}
+        self._names, self._keys, self._pass_indices = UniqueNames(), {}, {}
 
     def of_slot(self, material):
         """The name under which a Blender material (None: no material) is exported."""
@@ -42,7 +42,7 @@ class MaterialTable:
                              lambda: keys.of_phong(phong.diffuse((0.8,) * 3), self.world))
         library = material.original.library
         key = (material.name, library.filepath if library else None)
-        return self._add(key, material.name, lambda: self._of_blender(material))
+        return self._add(key, material.name, lambda: self._of_blender(material), material.pass_index)
 
     def of_property(self, name, item):
         """RT2's property `material`: a name of the course's list, or of a Blender material. None if it is neither."""
@@ -65,11 +65,16 @@ class MaterialTable:
         made = keys.bounded(made, self.report, describe(material))
         return keys.replaced(made, material, self.report, describe(material))
 
-    def _add(self, key, wanted, make):
+    def _add(self, key, wanted, make, pass_index=0):
         name = self._names.name(key, wanted)
         if name not in self._keys:
             self._keys[name] = make()
+            self._pass_indices[name] = pass_index
         return name
+
+    def pass_indices(self):
+        """Blender's pass_index of each material, in the order of blocks()."""
+        return [self._pass_indices[name] for name in self._keys]
 
     def keys_of(self, name):
         return self._keys[name]

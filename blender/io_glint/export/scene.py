@@ -31,10 +31,18 @@ def shape_of(ob, data, report, item, recognise=True, any_shading=False):
     return data.recognise(any_shading)
 
 
-class SceneText:
-    """Writes one depsgraph."""
+class Stopped(Exception):
+    """The user stopped the export."""
 
-    def __init__(self, depsgraph, options, report, find_material):
+
+class SceneText:
+    """Writes one depsgraph. is_stopped: asked before each object.
+
+    When text() has returned, object_indices has, for each of the scene's shapes, (its number of shapes, Blender's pass_index),
+    and material_indices the pass_index of each of the scene's materials."""
+
+    def __init__(self, depsgraph, options, report, find_material, is_stopped=lambda: False):
+        self.is_stopped, self.object_indices = is_stopped, []
         self.depsgraph, self.options, self.report = depsgraph, options, report
         self.scene = depsgraph.scene_eval if hasattr(depsgraph, "scene_eval") else depsgraph.scene
         self.view = camera.read(_evaluated(depsgraph.scene.camera, depsgraph), self.scene, report)
@@ -47,6 +55,8 @@ class SceneText:
 
     def text(self):
         for item in walk.items(self.depsgraph, self.report):
+            if self.is_stopped():
+                raise Stopped
             if item.ob.type == "LIGHT":
                 block = light.light_text(item.ob, item.matrix, self.options.light_scale, self.focus,
                                          self.options.light_samples, self.report)
@@ -105,7 +115,7 @@ class SceneText:
             shape, inner = found
             name = material.name_of(names, data.slots[0])
             full = shape_text.compose(rows, inner) if inner else rows
-            self._chunks.append(shape_text.shape_block(shape, item.name, text.string(name), full))
+            self._add_shapes(item, shape_text.shape_block(shape, item.name, text.string(name), full), 1)
             return
         self._add_mesh(item, data, rows, names)
 
@@ -122,8 +132,8 @@ class SceneText:
         corners = mesh.polygon_vertices(data, rows)
         if corners:
             name = material.name_of(names, data.slots[0])
-            self._chunks.append(text.block("polygon", item.name, [("vertices", f"({', '.join(corners)})"),
-                                                                  ("material", text.string(name))]))
+            entries = [("vertices", f"({', '.join(corners)})"), ("material", text.string(name))]
+            self._add_shapes(item, text.block("polygon", item.name, entries), 1)
             return
         lines, dropped = mesh.triangle_lines(data, rows)
         if dropped:
@@ -133,9 +143,16 @@ class SceneText:
         for slot, some in sorted(lines.items()):
             by_name.setdefault(material.name_of(names, slot), []).extend(some)
         for name, some in by_name.items():
-            self._chunks.append(f"group {text.string(item.name)} {{ material = {text.string(name)}")
-            self._chunks.append("\n".join(some))
-            self._chunks.append("}")
+            head = f"group {text.string(item.name)} {{ material = {text.string(name)}\n"
+            self._add_shapes(item, head + "\n".join(some) + "\n}", len(some))
+
+    def _add_shapes(self, item, chunk, count):
+        self._chunks.append(chunk)
+        self.object_indices.append((count, item.ob.pass_index))
+
+    @property
+    def material_indices(self):
+        return self.table.pass_indices()
 
 
 def _evaluated(ob, depsgraph):
@@ -150,12 +167,17 @@ def report_render_settings(scene, report):
         report.warn(item, "Freestyle lines are ignored")
 
 
-def glint_text(depsgraph, options, report, find_material):
-    """The scene's text. Raises camera.CameraError without a camera that glint could take."""
+def write(scene_text):
+    """The text of a SceneText."""
     collecting = gc.isenabled()
     gc.disable()  # millions of tuples without cycles: collections would take as long as the export
     try:
-        return SceneText(depsgraph, options, report, find_material).text()
+        return scene_text.text()
     finally:
         if collecting:
             gc.enable()
+
+
+def glint_text(depsgraph, options, report, find_material):
+    """The scene's text. Raises camera.CameraError without a camera that glint could take."""
+    return write(SceneText(depsgraph, options, report, find_material))

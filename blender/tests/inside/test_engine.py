@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """F12: the picture of the engine is glint's, also of a border, of every frame, and layer by layer."""
 import os
+import re
 import stat
 import time
+import unittest.mock
 
 import bpy
 from io_glint import exr
@@ -101,12 +103,33 @@ class Engine(SceneTest):
         prefix = f"{layer.name}."
         names = {name.removeprefix(prefix) for name in picture.channels}
         self.assertLessEqual({"Depth.Z", "Normal.X", "glint shadow.X"}, names)
-        for theirs, part, ours in (("Depth.Z", "depth", "Z"), ("Normal.X", "normal", "X"), ("Normal.Z", "normal", "Z")):
+        for theirs, part, ours in (("Normal.X", "normal", "X"), ("Normal.Z", "normal", "Z")):
             a, b = picture.channels[prefix + theirs], own[part].channels[ours]
-            self.assertEqual(list(a), [min(v, 1e10) for v in b], theirs)
+            self.assertEqual(list(a), list(b), theirs)
         beauty = self.beauty()
         for channel in "RGB":
             self.assertEqual(picture.channels[f"{prefix}Combined.{channel}"], beauty.channels[channel])
+
+    def test_passes_for_compositing(self):
+        """Depth along the view's axis, as Cycles', and Blender's pass indices."""
+        layer, render = bpy.context.view_layer, self.scene.render
+        layer.use_pass_z = layer.use_pass_object_index = layer.use_pass_material_index = True
+        self.scene.objects["Suzanne"].pass_index, self.scene.objects["Plane"].pass_index = 7, 3
+        bpy.data.materials["paint"].pass_index = 5
+        layer.update_render_passes()
+        render.image_settings.file_format = "OPEN_EXR_MULTILAYER"
+        ours = self.picture("ours")
+        render.engine = "CYCLES"
+        cycles = self.scene.cycles
+        cycles.device, cycles.samples, cycles.use_denoising = "CPU", 1, False
+        cycles.pixel_filter_type, cycles.filter_width = "BOX", 0.01
+        theirs = self.picture("theirs")
+        for name, tolerance in (("Depth.Z", 0.02), ("IndexOB.X", 0), ("IndexMA.X", 0)):
+            a, b = (part.channels[f"{layer.name}.{name}"] for part in (ours, theirs))
+            self.assertGreater(len({v for v in b if v < 1e9}), 1, name)
+            near = [abs(x - y) <= tolerance for x, y in zip(a, b)]
+            self.assertLess(near.count(False), 0.03 * len(near), name)  # at edges
+        self.assertEqual({*ours.channels[f"{layer.name}.IndexOB.X"]}, {0, 3, 7})
 
     def test_an_animation_of_24_frames(self):
         ball = self.add("ico_sphere", name="ball", subdivisions=2)
@@ -125,7 +148,7 @@ class Engine(SceneTest):
     def fake(self, script):
         path = self.path("fake")
         with open(path, "w", encoding="utf-8") as file:
-            file.write("#!/bin/sh\n" + script)
+            file.write('#!/bin/sh\n[ "$1" = --version ] && { echo glint 9.9; exit; }\n' + script)
         os.chmod(path, stat.S_IRWXU)
         preferences = bpy.context.preferences.addons["io_glint"].preferences
         preferences.glint_path = path
@@ -136,10 +159,52 @@ class Engine(SceneTest):
         preferences = bpy.context.preferences.addons["io_glint"].preferences
         preferences.glint_path = "/nowhere/glint"
         self.addCleanup(setattr, preferences, "glint_path", "")
-        with self.assertRaisesRegex(RuntimeError, "The glint command was not found"):
+        for operator in (bpy.ops.render.render, bpy.ops.glint.find):
+            with self.assertRaisesRegex(RuntimeError, "The glint command of the preferences, /nowhere/glint, is no program"):
+                operator()
+        preferences.glint_path = ""
+        with unittest.mock.patch.dict(os.environ, {"GLINT": "", "PATH": "/nowhere"}):
+            with self.assertRaisesRegex(RuntimeError, "The glint command was not found. Take it from a release"):
+                bpy.ops.render.render()
+
+    def test_an_old_glint_is_named(self):
+        path = self.fake("")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("#!/bin/sh\necho glint 0.2.9\n")
+        with self.assertRaisesRegex(RuntimeError, "is glint 0.2.9: this add-on needs version 0.3 or later"):
             bpy.ops.render.render()
-        with self.assertRaisesRegex(RuntimeError, "The glint command was not found"):
-            bpy.ops.glint.find()
+
+    def test_a_crash_is_named_and_the_scene_kept(self):
+        self.fake("kill -SEGV $$\n")
+        with self.assertRaisesRegex(RuntimeError, "signal SIGSEGV. The scene is kept in (.*glint)") as caught:
+            bpy.ops.render.render()
+        kept = re.search(r"kept in (\S+\.glint)", str(caught.exception))[1]
+        self.addCleanup(os.remove, kept)
+        with open(kept, encoding="utf-8") as file:
+            self.assertIn("camera {", file.read())
+
+    def test_messages_do_not_name_the_temporary_folder(self):
+        self.fake('echo "$2:3:4: error: expected a number" >&2\nexit 2\n')
+        with self.assertRaisesRegex(RuntimeError, "glint: scene.glint:3:4: error: expected a number"):
+            bpy.ops.render.render()
+
+    def test_the_number_of_threads(self):
+        self.fake(f'echo "$@" > {self.path("arguments")}\nexit 0\n')
+        self.scene.render.threads_mode, self.scene.render.threads = "FIXED", 3
+        with self.assertRaises(RuntimeError):
+            bpy.ops.render.render()
+        with open(self.path("arguments"), encoding="utf-8") as file:
+            self.assertIn("--threads 3", file.read())
+
+    def test_the_user_stops_the_export(self):
+        from io_glint import engine
+        self.fake(f'echo run > {self.path("run")}\n')
+        is_stopped, asked = engine.GlintRenderEngine._is_stopped, []
+        engine.GlintRenderEngine._is_stopped = lambda _: asked.append(1) or len(asked) > 1
+        self.addCleanup(setattr, engine.GlintRenderEngine, "_is_stopped", is_stopped)
+        bpy.ops.render.render()
+        self.assertEqual(len(asked), 2)
+        self.assertFalse(os.path.exists(self.path("run")))
 
     def test_an_error_of_glint_is_passed_on(self):
         self.fake('echo "scene.glint:3:4: error: expected a number" >&2\nexit 2\n')

@@ -99,6 +99,11 @@ class Files(SceneTest):
         for name in ("Smoke", "Furry"):
             self.assertEqual(sum(f"'{name}'" in w for w in self.warnings), 1, self.warnings)
 
+    def test_without_a_file_name(self):
+        for path in ("", self.folder + "/"):
+            with self.assertRaisesRegex(RuntimeError, "No file: give a file name"):
+                bpy.ops.export_scene.glint(filepath=path)
+
     def test_nothing_of_the_scene_is_changed(self):
         self.add("cube")
         render = self.scene.render

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """The glint command: found, run, watched and stopped; its OpenEXR files read."""
+import math
 import os
 import stat
 import tempfile
 import time
+import types
 import unittest
 from unittest import mock
 
 from io_glint import command, exr, passes
+from io_glint.export import camera
 
 GLINT = os.environ.get("GLINT") or os.path.join(os.path.dirname(__file__), "../../../build/release/glint")
 SCENE = """
@@ -96,8 +99,16 @@ class Exr(unittest.TestCase):
             length = sum(parts["normal"].channels[c][i] ** 2 for c in "XYZ")
             self.assertAlmostEqual(length, 1 if hit else 0, places=5)
         depth = passes.pixels(parts["depth"], "depth")
-        self.assertEqual(depth[0], (passes.FAR,))
+        self.assertEqual(depth[0], (math.inf,))
         self.assertAlmostEqual(min(depth)[0], 7, delta=0.1)
+        # Blender's depth is along the view's axis, and finite.
+        view = camera.View("", (0, 0, 7), (1, 0, 0), (0, 1, 0), (0, 0, -1), True, -0.5, 0.5, -0.4, 0.4, (45, 37))
+        written = types.SimpleNamespace(view=view)
+        axial = passes.pixels(passes.converted(parts["depth"], "depth", written, None), "depth")
+        self.assertEqual(axial[0], (passes.FAR,))
+        longest = view.ray_lengths()[0]
+        self.assertAlmostEqual(longest, math.sqrt(1 + (0.5 * 44 / 45) ** 2 + (0.4 * 36 / 37) ** 2))
+        self.assertEqual(view.ray_lengths((2, 1, 0, 0)), view.ray_lengths()[:2])
 
     def test_rows_are_turned_around(self):
         parts = self.render("--aov", "normal")
