@@ -7,9 +7,11 @@ import tempfile
 import bpy
 
 from . import command, exr, passes
+from .course_scene import collection_of, messages
 from .export import camera
 from .export.files import write_text
 from .export.report import Report
+from .export.rt2 import RT2Scene, rt2_text
 from .export.scene import SceneText, Stopped, write
 from .preferences import glint_path, wanted_path
 
@@ -59,20 +61,18 @@ class GlintRenderEngine(bpy.types.RenderEngine):
             raise RenderFailed(fault)
         self.update_stats("", "glint: writing the scene")
         scene = depsgraph.scene_eval
-        written = SceneText(depsgraph, scene.glint.options(), report, bpy.data.materials.get, self._is_stopped)
-        file = os.path.join(folder, "scene.glint")
-        write_text(file, write(written))
+        written, file, options = self._write(depsgraph, folder, report)
         layers = passes.wanted(depsgraph.view_layer_eval)
         crop = camera.border(scene.render)
         combined = picture = os.path.join(folder, "picture.exr")
-        arguments = [path, "render", file, "-o", picture]
+        arguments = [path, "render", file, "-o", picture, *options]
         if crop:
             arguments += ["--crop", "{}x{}+{}+{}".format(*crop)]
         if layers:
             arguments += ["--aov", ",".join(layers)]
         if scene.render.threads_mode == "FIXED":
             arguments += ["--threads", str(scene.render.threads)]
-        if not self._run(arguments, folder, report):
+        if not self._run(arguments, file, report):
             return
         found = {}
         if layers:
@@ -83,9 +83,9 @@ class GlintRenderEngine(bpy.types.RenderEngine):
         width, height = crop[:2] if crop else camera.picture_size(scene.render)
         result = self.begin_result(0, 0, width, height, layer=depsgraph.view_layer_eval.name)
         try:  # Blender crashes if a result is not ended
-            if scene.render.film_transparent:
+            first = exr.read(combined)[0] if scene.render.film_transparent else None
+            if first is not None and "A" in first.channels:
                 # load_from_file() multiplies by alpha what is multiplied already.
-                first = exr.read(combined)[0]
                 result.layers[0].passes["Combined"].rect = passes.pixels(first, passes.COMBINED)
             else:
                 result.layers[0].load_from_file(combined)
@@ -96,11 +96,33 @@ class GlintRenderEngine(bpy.types.RenderEngine):
         finally:
             self.end_result(result)
 
+    def _write(self, depsgraph, folder, report):
+        """Writes the scene. (what was written, its file, options of `glint render`)"""
+        scene = depsgraph.scene_eval
+        settings = scene.glint
+        if settings.picture == "BLENDER":
+            written = SceneText(depsgraph, settings.options(), report, bpy.data.materials.get, self._is_stopped)
+            file = os.path.join(folder, "scene.glint")
+            write_text(file, write(written))
+            return written, file, []
+        original = depsgraph.scene
+        collection = collection_of(original)
+        for item, text in messages(original, collection):
+            report.warn(item, text)
+        written = RT2Scene(depsgraph, settings.options(), report, bpy.data.materials.get, collection)
+        file = os.path.join(folder, "scene.json")
+        write_text(file, rt2_text(written))
+        options = ["--size", "{}x{}".format(*camera.picture_size(scene.render)), "--aa", str(settings.rt2_aa),
+                   "--shading", settings.shading]
+        if settings.reflections >= 0:
+            options += ["--reflections", str(settings.reflections)]
+        return written, file, options
+
     def _is_stopped(self):
         """Whether the user pressed Esc."""
         return self.test_break()
 
-    def _run(self, arguments, folder, report):
+    def _run(self, arguments, file, report):
         """Runs glint to its end; false if the user stopped it."""
         try:
             run = command.Run(arguments)
@@ -116,21 +138,21 @@ class GlintRenderEngine(bpy.types.RenderEngine):
                 self.update_progress(shown)
                 self.update_stats("", f"glint: {100 * shown:.0f}%")
         # The folder is gone when the user reads this.
-        messages = [message.replace(folder + os.sep, "") for message in run.messages()]
-        errors, warnings = command.diagnostics(messages)
+        lines = [line.replace(os.path.dirname(file) + os.sep, "") for line in run.messages()]
+        errors, warnings = command.diagnostics(lines)
         for warning in warnings:
             report.warn("glint", warning.rpartition("warning: ")[2])
         if code:
-            raise RenderFailed(f"{errors[0] if errors else ': '.join([command.exit_text(code), *messages[-3:]])}. The "
-                               f"scene is kept in {self._keep(folder)}")
+            raise RenderFailed(f"{errors[0] if errors else ': '.join([command.exit_text(code), *lines[-3:]])}. The "
+                               f"scene is kept in {self._keep(file)}")
         return True
 
     @staticmethod
-    def _keep(folder):
-        """Moves the scene's file to where it stays."""
-        kept, name = tempfile.mkstemp(prefix="glint-failed-", suffix=".glint")
+    def _keep(file):
+        """Copies the scene's file to where it stays."""
+        kept, name = tempfile.mkstemp(prefix="glint-failed-", suffix=os.path.splitext(file)[1])
         os.close(kept)
-        shutil.copyfile(os.path.join(folder, "scene.glint"), name)
+        shutil.copyfile(file, name)
         return name
 
 

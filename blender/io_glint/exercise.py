@@ -5,7 +5,7 @@ import math
 import bpy
 from mathutils import Vector
 
-from .export_files import COURSE_COLLECTION
+from .course_scene import COURSE_COLLECTION
 from .primitives import make_object
 
 # name, kind, location, rotation in degrees, scale, RT2's material
@@ -46,7 +46,7 @@ def make_scene():
     scene.camera = camera
     scene.render.engine = "GLINT"
     scene.render.resolution_x = scene.render.resolution_y = 640
-    scene.view_settings.view_transform = "Standard"
+    scene.glint.picture = "RT2"
     return scene
 
 
@@ -57,7 +57,10 @@ class GLINT_OT_rt2_exercise(bpy.types.Operator):
     bl_options = {"REGISTER", "UNDO"}
 
     def execute(self, context):
-        context.window.scene = make_scene()
+        scene = context.window.scene = make_scene()
+        # A new light is put into the active collection.
+        layer = scene.view_layers[0]
+        layer.active_layer_collection = layer.layer_collection.children[0]
         return {"FINISHED"}
 
 

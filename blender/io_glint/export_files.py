@@ -5,24 +5,13 @@ import shlex
 
 import bpy
 
+from .course_scene import collection_of, messages
 from .evaluate import with_depsgraph
 from .export import camera
 from .export.files import write_text
 from .export.report import Report
-from .export.rt2 import rt2_text
+from .export.rt2 import RT2Scene, rt2_text
 from .export.scene import glint_text
-
-COURSE_COLLECTION = "scene_custom"
-
-
-def collection_of(scene, wanted):
-    """The collection that an RT2 export is of; None: everything. Raises ValueError for an unknown name."""
-    known = {c.name: c for c in scene.collection.children_recursive}
-    if wanted:
-        if wanted not in known:
-            raise ValueError(f"the scene has no collection '{wanted}'")
-        return known[wanted]
-    return known.get(COURSE_COLLECTION)
 
 
 def export_text(context, options, evaluation, as_rt2, report):
@@ -41,8 +30,10 @@ def export_text(context, options, evaluation, as_rt2, report):
             report.warn(f"scene '{scene.name}'", "a scene's text has no render region; its part is --crop {}x{}+{}+{}"
                         .format(*crop))
         if as_rt2:
-            return with_depsgraph(context, evaluation, lambda depsgraph: rt2_text(
-                depsgraph, options, report, bpy.data.materials.get, collection))
+            for item, text in messages(scene, collection):
+                report.warn(item, text)
+            return with_depsgraph(context, evaluation, lambda depsgraph: rt2_text(RT2Scene(
+                depsgraph, options, report, bpy.data.materials.get, collection)))
         return with_depsgraph(context, evaluation, lambda depsgraph: glint_text(
             depsgraph, options, report, bpy.data.materials.get))
     finally:

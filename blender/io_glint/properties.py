@@ -3,6 +3,7 @@
 import bpy
 from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty
 
+from .course_scene import collection_of, messages
 from .export.options import Options
 
 SHAPE_ITEMS = (
@@ -21,9 +22,20 @@ SCENE_SETTINGS = ("shading", "reflections", "aa", "adaptive", "light_samples", "
                   "facing", "fresnel", "glass_shadow", "recognise")
 
 
+def _use_raw_colors(settings, _context):
+    if settings.picture == "RT2":
+        settings.id_data.view_settings.view_transform = "Raw"
+
+
 class GlintSceneSettings(bpy.types.PropertyGroup):
     """scene.glint"""
 
+    picture: EnumProperty(name="Picture", items=(
+        ("BLENDER", "Blender's scene", "With Blender's lights and materials, as .glint exports it"),
+        ("RT2", "RT2 homework", "What the exported RT2 scene looks like by the homework's rules; sets the view transform Raw, as "
+         "the homework writes its numbers")), default="BLENDER", update=_use_raw_colors)
+    rt2_aa: IntProperty(name="Samples per side", default=1, min=1, max=64,
+                        description="n: n x n regular samples for each pixel; the homework takes one")
     shading: EnumProperty(name="Shading", items=(
         ("blinn-phong", "Blinn-Phong", "Highlights by N.H"),
         ("phong", "Phong", "Highlights by R.V; exponents of shader nodes are divided by 4"),
@@ -61,8 +73,18 @@ class GlintSceneSettings(bpy.types.PropertyGroup):
         return Options(**{name: getattr(self, name) for name in SCENE_SETTINGS}, **more)
 
 
+def draw_rt2_settings(layout, scene):
+    """Those of a picture by the homework's rules, and what the course's script would take otherwise."""
+    for name in ("shading", "reflections", "rt2_aa"):
+        layout.prop(scene.glint, name)
+    if scene.view_settings.view_transform != "Raw":
+        layout.label(text="View Transform: Raw shows the homework's numbers", icon="INFO")
+    for item, text in messages(scene, collection_of(scene)):
+        layout.label(text=f"{item}: {text}", icon="ERROR")
+
+
 def draw_settings(layout, scene):
-    """The scene's settings, in the panel of the engine and in the export's."""
+    """The settings of .glint, in the panel of the engine and in the export's."""
     for name in SCENE_SETTINGS:
         layout.prop(scene.glint, name)
         if name == "mist" and scene.glint.mist and scene.world is not None:

@@ -5,7 +5,7 @@ from bpy.props import BoolProperty, StringProperty
 
 from .export import keys
 from .passes import BUILT_IN, OWN
-from .properties import draw_settings
+from .properties import draw_rt2_settings, draw_settings
 
 # Panels of what glint has not, or has a panel of its own for.
 EXCLUDED = {"DATA_PT_light", "VIEWLAYER_PT_filter", "VIEWLAYER_PT_layer_passes", "RENDER_PT_gpencil",
@@ -29,7 +29,9 @@ class RENDER_PT_glint(_Panel, bpy.types.Panel):
 
     def draw(self, context):
         self.layout.use_property_split = True
-        draw_settings(self.layout, context.scene)
+        self.layout.prop(context.scene.glint, "picture")
+        draw = draw_rt2_settings if context.scene.glint.picture == "RT2" else draw_settings
+        draw(self.layout, context.scene)
 
 
 class OBJECT_PT_glint(_Panel, bpy.types.Panel):

@@ -107,7 +107,11 @@ def _vector_like(vector, values):
 
 
 class RT2Scene:
-    """Collects one RT2 scene. collection: what is exported; None: everything that the render shows."""
+    """Collects one RT2 scene. collection: what is exported; None: everything that the render shows.
+
+    Raises camera.CameraError without a camera that glint could take."""
+
+    object_indices, material_indices = (), ()  # Blender's pass indices: the passes have glint's own numbers
 
     def __init__(self, depsgraph, options, report, find_material, collection=None):
         self.depsgraph, self.options, self.report = depsgraph, options, report
@@ -236,7 +240,6 @@ class RT2Scene:
         return found or by_course_rule(word, item.matrix)
 
 
-def rt2_text(depsgraph, options, report, find_material, collection=None):
-    """The text of a .json scene. Raises camera.CameraError without a camera that glint could take."""
-    return json.dumps(RT2Scene(depsgraph, options, report, find_material, collection).json(), indent=1,
-                      ensure_ascii=False) + "\n"
+def rt2_text(scene):
+    """The text of a .json scene: of an RT2Scene."""
+    return json.dumps(scene.json(), indent=1, ensure_ascii=False) + "\n"

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """RT2's exercise as docs/blender.md leads through it, and Add > Mesh > glint."""
+import json
+import subprocess
+
 import bpy
-from support import SceneTest
+from support import GLINT, SceneTest
 
 
 class Exercise(SceneTest):
@@ -20,6 +23,49 @@ class Exercise(SceneTest):
         self.glint("render", self.path("scene.json"), "-o", self.path("a.png"), "--strict")
         self.export()
         self.assertEqual(self.warnings, [])
+
+    def test_f12_is_the_homeworks_picture(self):
+        render = self.scene.render
+        render.resolution_x, render.resolution_y = 96, 64
+        settings = render.image_settings
+        settings.file_format, settings.color_mode = "PNG", "RGB"
+        render.filepath, render.dither_intensity = self.path("f12.png"), 0
+        bpy.ops.render.render(write_still=True)
+        self.export_rt2()
+        self.glint("render", self.path("scene.json"), "-s", "96x64", "-o", self.path("own.png"))
+        answer = subprocess.run([GLINT, "compare", self.path("f12.png"), self.path("own.png"), "--json"],
+                                stdout=subprocess.PIPE, check=False)
+        self.assertLessEqual(json.loads(answer.stdout)["largest"]["value"], 1)
+
+    def test_a_new_light_lands_in_the_collection(self):
+        bpy.ops.object.light_add(type="POINT", location=(0, -5, 2))
+        lamp = bpy.context.object
+        self.assertEqual(lamp.users_collection, (self.collection,))
+        lamp.name = "Lamp"
+        made = self.export_rt2()
+        self.assertEqual(len(made["lights"]), 3)
+        self.assertIn("light 'Lamp': the course's script leaves it out: its name has no \"light\"", self.messages())
+
+    def messages(self):
+        from io_glint import course_scene
+        return [": ".join(m) for m in course_scene.messages(self.scene, course_scene.collection_of(self.scene))]
+
+    def test_what_is_outside_is_named(self):
+        self.assertEqual(self.messages(), [])
+        self.scene.collection.objects.link(bpy.data.objects.new("Light9", bpy.data.lights.new("Light9", "POINT")))
+        self.add("cube", name="Box")
+        for ob in list(bpy.context.object.users_collection):
+            ob.objects.unlink(bpy.context.object)
+        self.scene.collection.objects.link(bpy.data.objects["Box"])
+        self.assertEqual(self.messages(),
+                         ["light 'Light9': left out: it is not in the collection 'scene_custom' (M moves it there)",
+                          "object 'Box': left out: it is not in the collection 'scene_custom' (M moves it there)"])
+
+    def test_a_second_exercise(self):
+        bpy.ops.glint.rt2_exercise()
+        self.scene = bpy.context.scene
+        self.assertEqual(self.messages(), ["collection 'scene_custom.001': the course's script exports 'scene_custom' alone"])
+        self.assertEqual(len(self.export_rt2()["spheres"]), 3)
 
     def test_moving_a_light_moves_the_shadows(self):
         def part():

@@ -100,7 +100,8 @@ class RT2(SceneTest):
         self.add("uv_sphere", name="outside")
         self.add("cube", name="invisible outside").visible_camera = False
         self.assertEqual(len(self.export_rt2()["spheres"]), 2)
-        self.assertEqual(self.report_of(), [])
+        for name in ("outside", "invisible outside"):
+            self.assertEqual(sum(f"object '{name}': left out: it is not in the collection" in w for w in self.report_of()), 1)
         other = bpy.data.collections.new("other")
         self.scene.collection.children.link(other)
         self.assertEqual(self.export_rt2(collection="other")["spheres"], [])
@@ -131,11 +132,11 @@ class RT2(SceneTest):
         self.into(self.add("monkey", name="Ape"))
         self.into(self.add("cube", name="Crate"))
         self.into(self.lamp("SUN", name="Sunlight", angle=0))
-        self.into(self.lamp("AREA", name="Panel"))
+        self.into(self.lamp("AREA", name="Panel light"))
         self.scene.camera.data.shift_x = 0.2
         self.into(self.add("uv_sphere", name="hidden sphere")).hide_render = True
         report = self.report_of()
-        for name in ("Ape", "Crate", "Sunlight", "Panel", "Camera", "hidden sphere"):
+        for name in ("Ape", "Crate", "Sunlight", "Panel light", "Camera", "hidden sphere"):
             self.assertEqual(sum(f"'{name}'" in w for w in report), 1, report)
         ours = self.export_rt2()
         self.assertEqual((len(ours["spheres"]), len(ours["lights"])), (2, 4))
