@@ -11,6 +11,7 @@ from .course_scene import collection_of, messages
 from .export import camera
 from .export.files import write_text
 from .export.report import Report
+from .export.mesh_file import MeshFiles
 from .export.rt2 import RT2Scene, rt2_text
 from .export.scene import SceneText, Stopped, write
 from .preferences import glint_path, wanted_path
@@ -101,7 +102,8 @@ class GlintRenderEngine(bpy.types.RenderEngine):
         scene = depsgraph.scene_eval
         settings = scene.glint
         if settings.picture == "BLENDER":
-            written = SceneText(depsgraph, settings.options(), report, bpy.data.materials.get, self._is_stopped)
+            written = SceneText(depsgraph, settings.options(), report, bpy.data.materials.get, self._is_stopped,
+                                MeshFiles(os.path.join(folder, "meshes"), "meshes"))
             file = os.path.join(folder, "scene.glint")
             write_text(file, write(written))
             return written, file, []

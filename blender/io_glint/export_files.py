@@ -9,13 +9,14 @@ from .course_scene import collection_of, messages
 from .evaluate import with_depsgraph
 from .export import camera
 from .export.files import write_text
+from .export.mesh_file import MeshFiles
 from .export.report import Report
 from .export.rt2 import RT2Scene, rt2_text
 from .export.scene import glint_text
 
 
-def export_text(context, options, evaluation, as_rt2, report):
-    """The scene's text. Raises CameraError, ValueError or RuntimeError, whose text is for the user."""
+def export_text(context, options, evaluation, as_rt2, report, mesh_files=None):
+    """The scene's text. mesh_files: a MeshFiles; None: meshes are in the text. Raises CameraError, ValueError or RuntimeError, whose text is for the user."""
     scene = context.scene
     collection = collection_of(scene, options.collection) if as_rt2 else None
     chosen = scene.camera
@@ -35,16 +36,23 @@ def export_text(context, options, evaluation, as_rt2, report):
             return with_depsgraph(context, evaluation, lambda depsgraph: rt2_text(RT2Scene(
                 depsgraph, options, report, bpy.data.materials.get, collection)))
         return with_depsgraph(context, evaluation, lambda depsgraph: glint_text(
-            depsgraph, options, report, bpy.data.materials.get))
+            depsgraph, options, report, bpy.data.materials.get, mesh_files))
     finally:
         if scene.camera != chosen:
             scene.camera = chosen
 
 
-def export_file(context, path, options, evaluation="RENDER", as_rt2=False):
-    """Writes one file and returns the Report."""
+def mesh_files_of(path):
+    """The files of large meshes: in the folder NAME_meshes beside NAME.glint."""
+    folder = os.path.splitext(path)[0] + "_meshes"
+    return MeshFiles(folder, os.path.basename(folder))
+
+
+def export_file(context, path, options, evaluation="RENDER", as_rt2=False, has_mesh_files=False):
+    """Writes one file, and with has_mesh_files those of its large meshes, and returns the Report."""
     report = Report()
-    write_text(path, export_text(context, options, evaluation, as_rt2, report))
+    mesh_files = mesh_files_of(path) if has_mesh_files else None
+    write_text(path, export_text(context, options, evaluation, as_rt2, report, mesh_files))
     return report
 
 
@@ -54,16 +62,17 @@ def frame_path(path, frame):
     return f"{base}.{frame:04d}{extension}"
 
 
-def export_animation(context, path, options, evaluation="RENDER", as_rt2=False):
+def export_animation(context, path, options, evaluation="RENDER", as_rt2=False, has_mesh_files=False):
     """Writes NAME.0001.glint, ... for the scene's frames and NAME.sh, which renders them. Returns (Report, the paths)."""
     scene, report, paths = context.scene, Report(), []
+    mesh_files = mesh_files_of(path) if has_mesh_files else None  # of all frames: a mesh that rests is written once
     frame, subframe = scene.frame_current, scene.frame_subframe
     frames = range(scene.frame_start, scene.frame_end + 1, max(1, scene.frame_step))
     try:
         for f in frames:
             scene.frame_set(f)
             paths.append(frame_path(path, f))
-            write_text(paths[-1], export_text(context, options, evaluation, as_rt2, report))
+            write_text(paths[-1], export_text(context, options, evaluation, as_rt2, report, mesh_files))
     finally:
         scene.frame_set(frame, subframe=subframe)
     script = os.path.splitext(path)[0] + ".sh"

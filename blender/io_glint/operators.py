@@ -35,7 +35,7 @@ class _Export(ExportHelper):
             path += self.filename_ext
         if context.mode != "OBJECT" and context.object is not None:
             context.object.update_from_editmode()
-        arguments = (context, path, options, self.evaluation, as_rt2)
+        arguments = (context, path, options, self.evaluation, as_rt2, getattr(self, "mesh_files", False))
         try:
             if self.animation:
                 report, paths = export_animation(*arguments)
@@ -62,6 +62,9 @@ class EXPORT_SCENE_OT_glint(bpy.types.Operator, _Export):
         ("AUTO", "By extension", ".json: RT2; else glint's own language"),
         ("GLINT", "glint", "glint's own language"),
         ("RT2", "RT2", "The JSON of RT2's homework")))
+    mesh_files: BoolProperty(name="Meshes in files", default=True,
+                             description="Write meshes of 1,000 triangles or more as .ply into the folder NAME_meshes; else all "
+                             "meshes are in the text")
 
     def execute(self, context):
         as_rt2 = self.format == "RT2" or (self.format == "AUTO" and self.filepath.lower().endswith(".json"))
@@ -70,7 +73,7 @@ class EXPORT_SCENE_OT_glint(bpy.types.Operator, _Export):
     def draw(self, context):
         layout = self.layout
         layout.use_property_split = True
-        for name in ("format", "evaluation", "animation"):
+        for name in ("format", "evaluation", "animation", "mesh_files"):
             layout.prop(self, name)
         draw_settings(layout, context.scene)
 

@@ -49,6 +49,9 @@ def main():
     pattern = sys.argv[1] if len(sys.argv) > 1 else ""
     total = run_plain(pattern)
     environment = dict(os.environ)
+    # Blender takes the modules of the python3 that it finds in PATH: that of the system, not the one that runs this.
+    environment["PATH"] = os.pathsep.join(p for p in os.environ["PATH"].split(os.pathsep)
+                                          if sys.prefix in ("/usr", "/usr/local") or not p.startswith(sys.prefix))
     environment["GLINT"] = environment.get("GLINT") or str(ROOT / "build/release/glint")
     blender, xvfb = shutil.which("blender"), shutil.which("xvfb-run")
     for wanted, name, command, script in (

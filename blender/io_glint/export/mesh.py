@@ -2,13 +2,16 @@
 """Meshes as triangles: Blender's arrays in, text out. Arrays are read with foreach_get, and without numpy."""
 import math
 from array import array
+from functools import cached_property
 from itertools import chain, product
 
-from .shapes import Outline, bounds, face_normal, recognise
+from . import mesh_file
+from .shapes import Outline, face_normal, recognise
 from .text import vector
 from .vectors import cross, dot, sub
 
 MAX_COORDINATE = 1e12
+MAX_RECOGNISED = 50_000  # vertices, without numpy; for more, looking for a shape takes longer than drawing the triangles
 MAX_CORNERS = 64  # of a face that is written as one polygon
 FLAT = 1e-6  # 1 - cosine, below which a corner's normal is the face's
 
@@ -25,34 +28,41 @@ def _triples(values):
 
 
 class MeshData:
-    """One evaluated mesh in its own space. Reads what is asked for, once."""
+    """One evaluated mesh in its own space: Blender's arrays, and lists of tuples where they are asked for."""
 
     def __init__(self, mesh):
         if hasattr(mesh, "calc_normals_split"):  # to 4.0
             mesh.calc_normals_split()
         mesh.calc_loop_triangles()
-        self.vertices = _triples(_read(mesh.vertices, "co", "f", 3))
+        self.raw_vertices = _read(mesh.vertices, "co", "f", 3)
         triangles = mesh.loop_triangles
-        self.corners = _triples(_read(triangles, "vertices", "i", 3))
-        self.loops = _triples(_read(triangles, "loops", "i", 3))
+        self.raw_corners = _read(triangles, "vertices", "i", 3)
+        self.raw_loops = _read(triangles, "loops", "i", 3)
         self.areas = _read(triangles, "area", "f", 1)
-        self.face_normals = _triples(_read(triangles, "normal", "f", 3))
+        self.raw_face_normals = _read(triangles, "normal", "f", 3)
         self.slots = _read(triangles, "material_index", "i", 1)
         if hasattr(mesh, "corner_normals"):  # from 4.1
-            self.normals = _triples(_read(mesh.corner_normals, "vector", "f", 3))
+            self.raw_normals = _read(mesh.corner_normals, "vector", "f", 3)
         else:
-            self.normals = _triples(_read(mesh.loops, "normal", "f", 3))
-        self._smooth = _read(mesh.polygons, "use_smooth", "b", 1)
+            self.raw_normals = _read(mesh.loops, "normal", "f", 3)
+        self.smooth = _read(mesh.polygons, "use_smooth", "b", 1)
         self.starts = _read(mesh.polygons, "loop_start", "i", 1)
         self.totals = _read(mesh.polygons, "loop_total", "i", 1)
         self.loop_vertices = _read(mesh.loops, "vertex_index", "i", 1)
+        self.files = None  # mesh_file.py
         self._box = self._outline = None
         self._recognised = {}
-        flat = list(chain.from_iterable(self.vertices))
-        self.is_finite = not flat or (math.isfinite(sum(flat)) and max(map(abs, flat)) <= MAX_COORDINATE)
+        flat = self.raw_vertices
+        self.is_finite = not flat or (math.isfinite(sum(flat)) and max(flat) <= MAX_COORDINATE and min(flat) >= -MAX_COORDINATE)
+
+    vertices = cached_property(lambda self: _triples(self.raw_vertices))
+    corners = cached_property(lambda self: _triples(self.raw_corners))
+    loops = cached_property(lambda self: _triples(self.raw_loops))
+    face_normals = cached_property(lambda self: _triples(self.raw_face_normals))
+    normals = cached_property(lambda self: _triples(self.raw_normals))
 
     def __len__(self):
-        return len(self.corners)
+        return len(self.raw_corners) // 3
 
     def used_slots(self):
         return set(self.slots)
@@ -60,7 +70,8 @@ class MeshData:
     def corners_of_bounds(self):
         """The eight corners of the box around the vertices."""
         if self._box is None:
-            self._box = list(product(*zip(*bounds(self.vertices))))
+            sides = (self.raw_vertices[i::3] for i in range(3))
+            self._box = list(product(*((min(side), max(side)) for side in sides)))
         return self._box
 
     def outline(self):
@@ -72,7 +83,9 @@ class MeshData:
     def recognise(self, any_shading=False):
         """shapes.recognise() of the mesh, once for all its instances."""
         if any_shading not in self._recognised:
-            self._recognised[any_shading] = recognise(self.outline(), any_shading)
+            count = len(self.raw_vertices) // 3
+            wanted = count <= MAX_RECOGNISED if mesh_file.np is None else count < 200 or mesh_file.may_be_a_shape(self)
+            self._recognised[any_shading] = recognise(self.outline(), any_shading) if wanted else None
         return self._recognised[any_shading]
 
     def _make_outline(self):
@@ -90,7 +103,7 @@ class MeshData:
     def _shared_normals(self):
         """For each face: smooth, and its corners have the normal of the smooth corners at the same vertices."""
         first, out = {}, []
-        for start, total, smooth in zip(self.starts, self.totals, self._smooth):
+        for start, total, smooth in zip(self.starts, self.totals, self.smooth):
             if smooth:
                 for loop in range(start, start + total):
                     v, n = self.loop_vertices[loop], self.normals[loop]
@@ -103,10 +116,10 @@ class MeshData:
 
 
 class MeshCache:
-    """The MeshData of evaluated objects, read once for each mesh, however often it is instanced."""
+    """The MeshData of evaluated objects, read once for each mesh, however often it is instanced; one for equal meshes."""
 
     def __init__(self):
-        self._found = {}
+        self._found, self._equal = {}, {}
 
     def of(self, ob):
         """None for an object without faces."""
@@ -114,7 +127,10 @@ class MeshCache:
             return _read_object(ob)
         key = ob.data.as_pointer()
         if key not in self._found:
-            self._found[key] = _read_object(ob)
+            data = _read_object(ob)
+            if data is not None and (equal := mesh_file.digest(data)) is not None:
+                data = self._equal.setdefault(equal, data)
+            self._found[key] = data
         return self._found[key]
 
 

@@ -36,13 +36,13 @@ class Stopped(Exception):
 
 
 class SceneText:
-    """Writes one depsgraph. is_stopped: asked before each object.
+    """Writes one depsgraph. is_stopped: asked before each object. mesh_files: a MeshFiles; None: all meshes are in the text.
 
     When text() has returned, object_indices has, for each of the scene's shapes, (its number of shapes, Blender's pass_index),
     and material_indices the pass_index of each of the scene's materials."""
 
-    def __init__(self, depsgraph, options, report, find_material, is_stopped=lambda: False):
-        self.is_stopped, self.object_indices = is_stopped, []
+    def __init__(self, depsgraph, options, report, find_material, is_stopped=lambda: False, mesh_files=None):
+        self.is_stopped, self.object_indices, self.mesh_files = is_stopped, [], mesh_files
         self.depsgraph, self.options, self.report = depsgraph, options, report
         self.scene = depsgraph.scene_eval if hasattr(depsgraph, "scene_eval") else depsgraph.scene
         self.view = camera.read(_evaluated(depsgraph.scene.camera, depsgraph), self.scene, report)
@@ -135,6 +135,13 @@ class SceneText:
             entries = [("vertices", f"({', '.join(corners)})"), ("material", text.string(name))]
             self._add_shapes(item, text.block("polygon", item.name, entries), 1)
             return
+        files = self.mesh_files.blocks_of(data, rows) if self.mesh_files is not None else None
+        if files is not None:
+            for slot, file in files:
+                entries = [("file", text.string(file)), ("material", text.string(material.name_of(names, slot))),
+                           ("matrix", text.matrix(rows))]
+                self._add_shapes(item, text.block("mesh", item.name, entries), 1)
+            return
         lines, dropped = mesh.triangle_lines(data, rows)
         if dropped:
             self.report.warn(item.described, f"{dropped} triangles are left out: their coordinates are not finite or "
@@ -178,6 +185,6 @@ def write(scene_text):
             gc.enable()
 
 
-def glint_text(depsgraph, options, report, find_material):
+def glint_text(depsgraph, options, report, find_material, mesh_files=None):
     """The scene's text. Raises camera.CameraError without a camera that glint could take."""
-    return write(SceneText(depsgraph, options, report, find_material))
+    return write(SceneText(depsgraph, options, report, find_material, mesh_files=mesh_files))

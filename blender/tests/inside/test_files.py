@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is written: animations, names of every kind, damaged meshes, large meshes, and what stays as it was."""
+import glob
 import os
 import subprocess
 import time
@@ -144,12 +145,15 @@ class Files(SceneTest):
             with self.subTest(smooth=smooth):
                 ball = self.add("ico_sphere", name="large", subdivisions=8, smooth=smooth)
                 ball.glint_shape = "MESH"
-                start, cpu = time.perf_counter(), time.process_time()
-                bpy.ops.export_scene.glint(filepath=self.path("large.glint"))
-                seconds, cpu = time.perf_counter() - start, time.process_time() - cpu
-                with open(self.path("large.glint"), encoding="utf-8") as file:
-                    text = file.read()
-                print(f"\n327,680 triangles, smooth {smooth}: {seconds:.2f} s ({cpu:.2f} s of the processor), {len(text) / 1e6:.1f} MB")
-                self.assertEqual(text.count("triangle{"), 327680)
-                self.assertLess(cpu, 8)
+                for mesh_files in (False, True):
+                    start, cpu = time.perf_counter(), time.process_time()
+                    bpy.ops.export_scene.glint(filepath=self.path("large.glint"), mesh_files=mesh_files)
+                    seconds, cpu = time.perf_counter() - start, time.process_time() - cpu
+                    with open(self.path("large.glint"), encoding="utf-8") as file:
+                        text = file.read()
+                    size = len(text) + sum(os.path.getsize(path) for path in glob.glob(self.path("large_meshes/*.ply")))
+                    print(f"\n327,680 triangles, smooth {smooth}, files {mesh_files}: {seconds:.2f} s ({cpu:.2f} s of the "
+                          f"processor), {size / 1e6:.1f} MB")
+                    self.assertEqual(text.count("triangle{"), 0 if mesh_files else 327680)
+                    self.assertLess(cpu, 4 if mesh_files else 8)
                 bpy.data.objects.remove(ball)

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Meshes as binary .ply files beside the scene, which glint reads without parsing numbers. Needs numpy; without it, and for
+small meshes, mesh.py writes triangles into the text."""
+import hashlib
+import os
+
+try:
+    import numpy as np
+except ImportError:  # Debian's Blender does not require it
+    np = None
+
+MIN_TRIANGLES = 1000
+MAX_CONDITION = 1e6  # of a transform; glint refuses 1e7
+
+
+class MeshFiles:
+    """Writes each mesh once, however often it is instanced and in however many frames: a file's name is the mesh's digest().
+
+    folder: where; made when it is needed. shown: the folder's name in the scene's text."""
+
+    def __init__(self, folder, shown):
+        self.folder, self.shown = folder, shown
+
+    def blocks_of(self, data, rows):
+        """(slot, name of the file) for each material of a mesh, or None if it belongs into the text.
+
+        rows: the transform that it will have."""
+        if np is None or len(data) < MIN_TRIANGLES or not data.is_finite or not _is_usable(rows):
+            return None
+        if data.files is None:
+            name = digest(data).hex()[:16]
+            data.files = [(slot, self._write(f"{name}_{slot}.ply" if slot else f"{name}.ply", content))
+                          for slot, content in ply_by_slot(data)]
+        return data.files
+
+    def _write(self, name, content):
+        path = os.path.join(self.folder, name)
+        if not os.path.exists(path):
+            os.makedirs(self.folder, exist_ok=True)
+            with open(path + ".part", "wb") as file:
+                file.write(content)
+            os.replace(path + ".part", path)
+        return f"{self.shown}/{name}"
+
+
+def _is_usable(rows):
+    """Whether glint takes this transform of a mesh: without each column's length, it is far from singular."""
+    matrix = np.array(rows, float)[:3, :3]
+    lengths = np.linalg.norm(matrix, axis=0)
+    return bool(np.all(lengths > 0) and np.linalg.cond(matrix / lengths) < MAX_CONDITION)
+
+
+def digest(data):
+    """A key of what a mesh looks like; None without numpy. Blender evaluates each copy of an object with a modifier by itself,
+    and its threads give normals other last bits."""
+    if np is None:
+        return None
+    key = hashlib.blake2b(digest_size=16)
+    for values in (data.raw_vertices, data.raw_corners, data.raw_loops, data.slots, data.smooth):
+        key.update(values)
+    key.update(np.round(np.frombuffer(data.raw_normals, np.float32) * 1000).astype(np.int16).tobytes())
+    return key.digest()
+
+
+def may_be_a_shape(data):
+    """Whether looking for a sphere, a cylinder, a cone, a disc or a box is worth the time: vertices at one distance from the
+    middle, or in the two end planes of an axis."""
+    points = np.frombuffer(data.raw_vertices, np.float32).reshape(-1, 3)
+    low, high = points.min(0), points.max(0)
+    distances = np.linalg.norm(points - (low + high) / 2, axis=1)
+    if distances.max() - distances.min() <= 1e-2 * distances.max():
+        return True
+    near = 1e-3 * (high - low).max()
+    return bool((((points - low) <= near) | ((high - points) <= near)).all(0).any())
+
+
+def ply_by_slot(data):
+    """(slot, bytes of a .ply) for each material slot that has triangles with an area."""
+    vertices = np.frombuffer(data.raw_vertices, np.float32).reshape(-1, 3)
+    corners = np.frombuffer(data.raw_corners, np.int32).reshape(-1, 3)
+    loops = np.frombuffer(data.raw_loops, np.int32).reshape(-1, 3)
+    normals = np.frombuffer(data.raw_normals, np.float32).reshape(-1, 3)
+    faces = np.frombuffer(data.raw_face_normals, np.float32).reshape(-1, 3)
+    slots = np.frombuffer(data.slots, np.int32)
+    has_area = np.frombuffer(data.areas, np.float32) > 0
+    # Flat: all corners have the face's normal. glint takes (0, 0, 0) for it.
+    at_corners = normals[loops]
+    is_flat = ((at_corners * faces[:, None, :]).sum(2) > 1 - 1e-6).all(1)
+    for slot in np.unique(slots):
+        chosen = has_area & (slots == slot)
+        if chosen.any():
+            yield int(slot), _ply(vertices, corners[chosen], at_corners[chosen], is_flat[chosen])
+
+
+def _ply(vertices, corners, at_corners, is_flat):
+    if is_flat.all():
+        used, numbers = _used(corners, len(vertices))
+        return _bytes(vertices[used], None, numbers)
+    wanted = np.where(is_flat[:, None, None], np.float32(0), at_corners).reshape(-1, 3)
+    flat_corners = corners.reshape(-1)
+    # A vertex for each pair of a place and a normal: the places alone, where each has one normal.
+    first = np.zeros((len(vertices), 3), np.float32)
+    first[flat_corners] = wanted
+    if np.array_equal(first[flat_corners], wanted):
+        used, numbers = _used(corners, len(vertices))
+        return _bytes(vertices[used], first[used], numbers)
+    pairs = np.empty(len(wanted), [("at", np.int32), ("n", np.void, 12)])
+    pairs["at"] = flat_corners
+    pairs["n"] = np.ascontiguousarray(wanted).view(np.dtype((np.void, 12))).reshape(-1)
+    keys = np.ascontiguousarray(pairs).view(np.dtype((np.void, 16))).reshape(-1)
+    _, index, numbers = np.unique(keys, return_index=True, return_inverse=True)
+    return _bytes(vertices[flat_corners[index]], wanted[index], numbers.reshape(-1, 3))
+
+
+def _used(corners, count):
+    """(which of the vertices have a triangle, the corners' numbers among these)"""
+    used = np.zeros(count, bool)
+    used[corners] = True
+    return used, (np.cumsum(used, dtype=np.int32) - 1)[corners]
+
+
+def _bytes(points, normals, triangles):
+    names = ["x", "y", "z"] + (["nx", "ny", "nz"] if normals is not None else [])
+    header = "".join(["ply\nformat binary_little_endian 1.0\n", f"element vertex {len(points)}\n",
+                      *(f"property float {name}\n" for name in names), f"element face {len(triangles)}\n",
+                      "property list uchar int vertex_indices\nend_header\n"])
+    table = points if normals is None else np.hstack([points, normals])
+    faces = np.empty(len(triangles), [("count", "u1"), ("corners", "<i4", 3)])
+    faces["count"], faces["corners"] = 3, triangles
+    return header.encode() + table.astype("<f4").tobytes() + faces.tobytes()
