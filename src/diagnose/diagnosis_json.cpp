@@ -43,6 +43,7 @@ DiagnosisJson row_json(const DiagnosedRow& row, const Scene& scene) {
 DiagnosisJson finding_json(const DiagnosisFinding& finding, const Scene& scene) {
     const DiagnosedRow& at = finding.example;
     DiagnosisJson json = {{"quantity", finding.quantity},
+                          {"word", finding.word},
                           {"of", at.light < scene.lights.size() ? "light"
                                  : at.ray >= 0                  ? "ray"
                                                                 : "pixel"},

@@ -279,4 +279,13 @@ const char* glint_check(GlintScene* scene) {
     return scene->answer.c_str();
 }
 
+const char* glint_diagnose(GlintScene* scene, const char* log, std::uint32_t length, const char* name,
+                           std::uint32_t name_length) {
+    scene->answer =
+        scene->world
+            ? glint::wasm::diagnosis(*scene->scene, *scene->world, {log, length}, {name, name_length})
+            : GlintScene::to_text({{"diagnosis", {}}, {"error", "the scene has errors"}});
+    return scene->answer.c_str();
+}
+
 const char* glint_version() { return GLINT_VERSION; }

@@ -92,6 +92,12 @@ const char* GLINT_WASM_EXPORT(glint_compare_picture)(GlintScene* scene, const ch
 /// The scene's likely mistakes as a JSON array (glint.d.mts, Finding); empty if the scene is not ready.
 const char* GLINT_WASM_EXPORT(glint_check)(GlintScene* scene);
 
+/// Compares the log of another ray tracer with the scene as it is prepared (glint/diagnose.h). `name` is that
+/// of the log in messages. JSON: {"diagnosis": diagnosis_json() or null, "diagnostics": [...], "error":
+/// "..."}; an error is there only if the diagnosis is null.
+const char* GLINT_WASM_EXPORT(glint_diagnose)(GlintScene* scene, const char* log, std::uint32_t length,
+                                              const char* name, std::uint32_t name_length);
+
 /// Only in glint-core.wasm: 1 once a call has needed what that file leaves out (left_out.cpp). The results
 /// of that call are not those of glint.wasm.
 std::int32_t GLINT_WASM_EXPORT(glint_left_out)();

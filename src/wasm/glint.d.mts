@@ -523,6 +523,73 @@ export interface Finding extends Diagnostic {
     note: boolean;
 }
 
+/** A value of a log: one number, three of a vector or a color, or nothing. A number that is not finite is null. */
+export type DiagnosedValue = number | null | [number | null, number | null, number | null];
+
+/** A value of a log beside what it should be, as far as that follows from the scene and from the log's earlier values. */
+export interface DiagnosedRow {
+    /** Column and row as the log counts them. */
+    pixel: [number, number];
+    /** The ray whose value it is, in the order of the pixel; absent: it is the pixel's. */
+    ray?: {number: number; kind: 'camera' | 'mirror' | 'glass'; generation: number};
+    /** Index in SceneInfo.lights; absent: it is the ray's. */
+    light?: {index: number; name?: string};
+    /** Its key in the log. */
+    quantity: string;
+    /** Of the log, from 1; 0: none. */
+    line: number;
+    verdict: 'right' | 'wrong' | 'unknown';
+    yours: DiagnosedValue;
+    expected: DiagnosedValue;
+}
+
+/** A quantity that differs, at some places for one reason. */
+export interface DiagnosisFinding {
+    quantity: string;
+    /** Its name in sentences. */
+    word: string;
+    of: 'light' | 'ray' | 'pixel';
+    /** The only cause is certain. */
+    sure: boolean;
+    /** The known mistakes that give the log's numbers. */
+    causes: {id: string; explanation: string}[];
+    /** Where alone it happens; empty: everywhere. */
+    only: string;
+    /** "yours is -1 times what it should be"; empty: none is known. */
+    relation: string;
+    formula: string;
+    /** Where the documents explain it; may be empty. */
+    where: string;
+    pixels: number;
+    /** Pixels in which it is the first difference. */
+    first_pixels: number;
+    places: number;
+    judged_places: number;
+    example: DiagnosedRow;
+}
+
+/** The log of another ray tracer beside a scene (docs/diagnose.md). */
+export interface Diagnosis {
+    /** What the log's numbers mean, a sentence each. */
+    conventions: string[];
+    pixels: number;
+    rays: number;
+    values: number;
+    judged: number;
+    unknown: number;
+    /** Pixels of the log that are not in the picture. */
+    outside: number;
+    wrong_pixels: number;
+    /** The log's row 0 is the picture's lowest. */
+    rows_from_bottom: boolean;
+    /** That which is the first difference in most pixels first. */
+    findings: DiagnosisFinding[];
+    /** The values of the first pixels. */
+    rows: DiagnosedRow[];
+    /** Warnings about the log's lines. */
+    diagnostics: Diagnostic[];
+}
+
 /** The host's WebAssembly.Module, where its types are known. */
 export type CompiledModule = typeof globalThis extends {WebAssembly: {Module: {prototype: infer Module}}} ? Module : object;
 /** The array that `new Uint8ClampedArray(n)` makes. */
@@ -559,8 +626,8 @@ export interface Glint {
     readonly memoryBytes: number;
     /**
      * Whether a call has needed what the instance's file leaves out, so that its result is not that of glint.wasm: never of
-     * glint.wasm. The playground starts with a smaller file, without the languages of POV-Ray and Tachyon, causes and
-     * check().
+     * glint.wasm. The playground starts with a smaller file, without the languages of POV-Ray and Tachyon, causes,
+     * check() and diagnose().
      */
     readonly leftOut: boolean;
     /**
@@ -605,6 +672,12 @@ export interface Scene {
     comparePicture(picture: {pixels: Bytes | Uint8Array; width: number; height: number}, options?: {causes?: boolean}): Comparison;
     /** The scene's likely mistakes, which `glint check` prints. */
     check(): Finding[];
+    /**
+     * Compares the log that another ray tracer has written of this scene, value by value (docs/formats/trace_log.md): a text, or its
+     * bytes. `name` is that of the log in messages. Throws if the scene is not ready, if a line of the log is wrong, or if no pixel of
+     * the log is in the picture.
+     */
+    diagnose(log: string | Uint8Array, options?: {name?: string}): Diagnosis;
     /** The scene as .glint; empty if it is not ready. */
     toGlint(): string;
     close(): void;

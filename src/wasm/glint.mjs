@@ -255,6 +255,16 @@ class Scene {
         return this.#json(this.#exports.glint_check(this.#handle));
     }
 
+    diagnose(log, {name = 'log'} = {}) {
+        const handle = this.#handle;
+        if (typeof log !== 'string' && !(log instanceof Uint8Array)) throw new TypeError('log: expected a text or its bytes');
+        const bytes = typeof log === 'string' ? new TextEncoder().encode(log) : log;
+        const {diagnosis, diagnostics, error} = this.#json(withBytes(this.#exports, bytes, (at, length) => withText(
+            this.#exports, String(name), (nameAt, nameLength) => this.#exports.glint_diagnose(handle, at, length, nameAt, nameLength))));
+        if (error) throw new Error(error);
+        return {...diagnosis, diagnostics};
+    }
+
     toGlint() {
         return textAt(this.#exports, this.#exports.glint_convert(this.#handle));
     }

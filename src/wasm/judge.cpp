@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "wasm/judge.h"
 
+#include "glint/diagnose.h"
 #include "image/quantize.h"
 #include "wasm/describe.h"
 
@@ -80,6 +81,17 @@ Json findings(const Scene& scene, const std::vector<SceneText>& texts) {
         list.push_back(std::move(json));
     }
     return list;
+}
+
+std::string diagnosis(const Scene& scene, const World& world, std::string_view log, std::string name) {
+    const Result<Diagnosis> found = diagnose(scene, world, log, {.name = std::move(name), .threads = 1});
+    Json rest = {{"diagnostics", Json::array()}};
+    for (const Diagnostic& one : found.diagnostics) rest["diagnostics"].push_back(to_json(one));
+    const Result<std::string> text =
+        found ? diagnosis_json(*found, scene) : Result<std::string>(Status(found));
+    if (!text) rest["error"] = text.message;
+    return "{\"diagnosis\": " + (text ? *text : "null") + ", " +
+           rest.dump(-1, ' ', false, Json::error_handler_t::replace).substr(1);
 }
 
 }  // namespace glint::wasm

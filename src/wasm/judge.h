@@ -20,4 +20,7 @@ nlohmann::ordered_json comparison(const GivenPicture& picture, const World& worl
 /// The JSON of glint_check.
 nlohmann::ordered_json findings(const Scene& scene, const std::vector<SceneText>& texts);
 
+/// The JSON of glint_diagnose, as text: the diagnosis may be long.
+std::string diagnosis(const Scene& scene, const World& world, std::string_view log, std::string name);
+
 }  // namespace glint::wasm

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // glint-core.wasm, which the page starts with, is linked from the same objects as glint.wasm, but with these
-// functions in place of formats/povray, Tachyon's reader, compare and check: more than a third of the file.
+// functions in place of formats/povray, Tachyon's reader, compare, check and diagnose: almost half of the
+// file.
 // They are all that others call of these, so the linker takes nothing else of them. A call that needs one
 // cannot be answered: glint_left_out() then says so, and the page repeats it with glint.wasm.
 #include <cstdint>
@@ -9,6 +10,7 @@
 #include "formats/registry.h"
 #include "glint/check.h"
 #include "glint/compare.h"
+#include "glint/diagnose.h"
 #include "wasm/api.h"
 
 namespace {
@@ -48,6 +50,12 @@ Result<CauseReport> find_causes(const Image&, const Image&, const Scene*, const 
 }
 
 Result<std::vector<Finding>> check(const Scene&, const CheckOptions&) { return leave_out(); }
+
+Result<Diagnosis> diagnose(const Scene&, const World&, std::string_view, const DiagnoseOptions&) {
+    return leave_out();
+}
+
+Result<std::string> diagnosis_json(const Diagnosis&, const Scene&) { return leave_out(); }
 
 }  // namespace glint
 

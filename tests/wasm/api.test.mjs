@@ -4,8 +4,9 @@
 // folder scenes/.
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
-import {existsSync, readdirSync, readFileSync} from 'node:fs';
-import {join, relative} from 'node:path';
+import {existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {dirname, join, relative} from 'node:path';
 import {test} from 'node:test';
 import {pathToFileURL} from 'node:url';
 import {gzipSync} from 'node:zlib';
@@ -293,7 +294,7 @@ test('a closed scene says so, and leaves the instance as it was', () => {
     scene.close();
     scene.close();
     for (const use of [() => scene.report, () => scene.info, () => scene.render(0, 0, 1, 1), () => scene.renderPixels(0, 0, 1, 1),
-                       () => scene.prepare({}), () => scene.explain(0, 0), () => scene.toGlint(), () => scene.check(),
+                       () => scene.prepare({}), () => scene.explain(0, 0), () => scene.toGlint(), () => scene.check(), () => scene.diagnose(''),
                        () => other.compare(scene), () => scene.comparePicture({pixels: new Uint8Array(4), width: 1, height: 1})])
         assert.throws(use, /^Error: the scene is closed$/);
     assert.deepEqual(other.renderPixels(0, 0, 20, 20), before);
@@ -413,6 +414,38 @@ test('a picture of another program is compared, and causes found', () => {
     assert.throws(() => scene.comparePicture({...picture, width: 59.5, height: 60.5}), TypeError);
     other.close();
     scene.close();
+});
+
+test('the log of a ray tracer is diagnosed, as natively', () => {
+    const {scene} = open(['epfl/castle.json'], {size: '80x80'});
+    const numbers = (key, values) => `${key} ${[values].flat().join(' ')}\n`;
+    const log = [[40, 30], [10, 45], [65, 50], [50, 37]].map(([x, y]) => {
+        const {rays: [{origin, direction, t, hit}]} = scene.explain(x, y);
+        const lines = [numbers('pixel', [x, y]), 'ray camera\n', numbers('origin', origin), numbers('direction', direction)];
+        if (!hit) return `${lines.join('')}miss\n`;
+        lines.push(numbers('shape', hit.shape.index + 1), numbers('t', t), numbers('P', hit.point), numbers('N', hit.normal));
+        // The mistake: L is not of unit length.
+        for (const {light, to_light: l, n_l} of hit.lights) lines.push(numbers('light', light.index + 1), numbers('L', l), numbers('N.L', n_l * Math.hypot(...l)));
+        return lines.join('');
+    }).join('');
+    const found = scene.diagnose(log, {name: 'mine.log'}), file = join(mkdtempSync(join(tmpdir(), 'glint-wasm-')), 'mine.log');
+    writeFileSync(file, log);
+    const {diagnosis, diagnostics} = JSON.parse(native(request(['epfl/castle.json'], {size: '80x80'}), 'diagnose', file));
+    rmSync(dirname(file), {recursive: true});
+    assert.deepEqual(found, {...diagnosis, diagnostics});
+    assert.equal(found.findings[0].quantity, 'N.L');
+    assert.equal(found.findings[0].word, 'N.L');
+    assert.equal(found.findings[0].causes[0].id, 'light-not-unit');
+    assert.ok(found.rows.some(({light, verdict}) => light && verdict === 'wrong'));
+    assert.deepEqual(scene.diagnose(new TextEncoder().encode(log), {name: 'mine.log'}), found);
+    assert.match(scene.diagnose(`${log}mood 3\n`).diagnostics[0].message, /mood/);
+    assert.throws(() => scene.diagnose('pixel 1 2\nN 0 1\n', {name: 'bad.log'}), /^Error: bad\.log:2:/);
+    assert.throws(() => scene.diagnose('pixel 900 2\nray camera\norigin 0 0 0\n'), /no pixel of the log is in the picture of 80x80/);
+    assert.throws(() => scene.diagnose(5), TypeError);
+    scene.close();
+    const bad = glint.open({texts: [{name: 'a.glint', text: 'oops'}]});
+    assert.throws(() => bad.diagnose(log), /the scene has errors/);
+    bad.close();
 });
 
 test('likely mistakes are found, as natively', () => {

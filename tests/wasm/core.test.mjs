@@ -51,6 +51,7 @@ test('the core says what it leaves out, and the whole does not', async () => {
             const other = glint.open({texts: [read('cgfs/three_mirrors.cgfs')], settings: {size: '40x30', reflections: '0'}});
             return scene.compare(other, {causes: true});
         },
+        diagnose: (glint) => glint.open({texts: [read('cgfs/three_mirrors.cgfs')]}).diagnose('pixel 3 4\nray camera\norigin 0 0 0\n'),
         check: (glint) => glint.open({texts: [read('cgfs/three_mirrors.cgfs')]}).check(),
     };
     for (const [what, act] of Object.entries(cases)) {

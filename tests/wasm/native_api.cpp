@@ -5,8 +5,10 @@
 //   native_api png|exr                    the file of the picture, by encode()
 //   native_api explain X Y                the pixel's explanation
 //   native_api info, convert, check       the results of glint_info, glint_convert and glint_check
+//   native_api diagnose LOG               that of glint_diagnose for a log in a file
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <string>
@@ -26,6 +28,12 @@ bool render(GlintScene* scene, int x, int y, int width, int height) {
     if (rgb == nullptr) std::fprintf(stderr, "%s\n", glint_report(scene));
     return rgb != nullptr &&
            write(rgb, 3 * sizeof(float) * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+}
+
+const char* diagnose(GlintScene* scene, const char* path) {
+    std::ifstream file(path, std::ios::binary);
+    const std::string log{std::istreambuf_iterator<char>(file), {}};
+    return glint_diagnose(scene, log.data(), static_cast<std::uint32_t>(log.size()), "mine.log", 8);
 }
 
 bool write_file(const std::string& request, glint::FileFormat format) {
@@ -61,6 +69,7 @@ int main(int argc, char** argv) {
     if (what == "explain") done = write(glint_explain(scene, number(2), number(3)));
     if (what == "info") done = write(glint_info(scene));
     if (what == "check") done = write(glint_check(scene));
+    if (what == "diagnose" && argc > 2) done = write(diagnose(scene, argv[2]));
     if (what == "convert") done = write(glint_convert(scene));
     glint_close(scene);
     return done ? 0 : 1;

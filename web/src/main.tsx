@@ -9,6 +9,7 @@ import {fetchLater} from './store/later';
 import {keepPage} from './store/memory';
 import {followMissing} from './store/opening';
 import {followOwnPicture} from './store/own';
+import {followOwnLog} from './store/own_log';
 import {openFirst} from './store/scene';
 import {failure, services, state} from './store/state';
 import {App} from './ui/App';
@@ -25,6 +26,7 @@ try {
         keepPage();
         followLessons();
         followOwnPicture();
+        followOwnLog();
         followMissing();
         fetchLater(() => pool.fetchWhole());
     }

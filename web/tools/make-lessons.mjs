@@ -71,6 +71,7 @@ const documents = [
     ['guide', 'Guide and keys', 'playground.md', 'What it does'], ['glint', '.glint', 'formats/glint.md'], ['cgfs', '.cgfs', 'formats/cgfs.md'],
     ['epfl', 'RT2’s .json', 'formats/epfl.md'], ['csc473', 'CSC 473’s .pov', 'formats/csc473.md'], ['povray', 'POV-Ray', 'formats/povray.md'],
     ['tachyon', 'Tachyon', 'formats/tachyon.md'], ['nff', '.nff', 'formats/nff.md'], ['conventions', 'Conventions', 'conventions.md'],
+    ['lighting', 'The lighting equation', 'lighting.md'], ['diagnose', 'Your own ray tracer', 'diagnose.md'], ['trace_log', 'Its log', 'formats/trace_log.md'],
 ];
 function topic([id, title, file, from]) {
     const markdown = readFileSync(join(lessons, '..', file), 'utf8');

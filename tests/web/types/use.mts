@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Uses each function of glint-wasm's types; compiled, never run.
-import {type CameraInfo, type Cause, type Comparison, type Explanation, type Finding, type Scene, type SceneInfo, compile, instantiate, load} from 'glint-wasm';
+import {type CameraInfo, type Cause, type Comparison, type Diagnosis, type Explanation, type Finding, type Scene, type SceneInfo, compile, instantiate, load} from 'glint-wasm';
 import {encodeExr} from 'glint-wasm/exr';
 import {encodePng} from 'glint-wasm/png';
 
@@ -22,6 +22,8 @@ const blocker: string | undefined = why?.rays[0]?.hit?.lights[0]?.blocker?.shape
 const comparison: Comparison = scene.compare(scene, {causes: true});
 const causes: Cause[] = comparison.causes ?? [];
 const findings: Finding[] = scene.check();
+const diagnosis: Diagnosis = scene.diagnose('pixel 0 0\n', {name: 'mine.log'});
+const firstWrong: string | undefined = scene.diagnose(new Uint8Array(4)).findings[0]?.causes[0]?.id ?? diagnosis.rows[0]?.quantity;
 const texts: string[] = [scene.toGlint(), glint.version, diagnostics[0]?.text ?? '', ...missing, findings[0]?.remedy ?? ''];
 scene.close();
 // @ts-expect-error a size is a text
@@ -32,4 +34,4 @@ encodePng(pixels, width);
 encodePng(pixels, width, height, {srgb: 1});
 // @ts-expect-error alpha has a number for each pixel
 encodeExr([0, 0, 0], 1, 1, {alpha: true});
-export {ready, floats, bytes, camera, blocker, causes, texts};
+export {ready, floats, bytes, camera, blocker, causes, firstWrong, texts};

@@ -33,7 +33,7 @@ interface Member {
 }
 
 /** A job is aborted after this time without an answer or news of its progress, in milliseconds. */
-const patience: Record<Task['what'], number> = {open: 10_000, explain: 10_000, convert: 10_000, compare: 120_000, 'compare-picture': 600_000, layers: 10_000, tile: Infinity, floats: Infinity};
+const patience: Record<Task['what'], number> = {open: 10_000, explain: 10_000, convert: 10_000, compare: 120_000, 'compare-picture': 600_000, diagnose: 600_000, layers: 10_000, tile: Infinity, floats: Infinity};
 /** A tile that is no longer needed may finish within this time; then its worker is terminated. */
 const grace = 250;
 

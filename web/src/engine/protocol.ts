@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The messages between the page and its workers.
-import type {Comparison, Explanation, OpenRequest, PrepareRequest, Report, SceneInfo} from 'glint-wasm';
+import type {Comparison, Diagnosis, Explanation, OpenRequest, PrepareRequest, Report, SceneInfo} from 'glint-wasm';
 
 export interface Rect {
     x: number;
@@ -21,7 +21,9 @@ export type Task =
     /** Against the picture of another scene. */
     | {what: 'compare'; reference: OpenRequest; causes: boolean}
     /** A picture of the scene by another program, as ImageData has it. */
-    | {what: 'compare-picture'; pixels: Uint8ClampedArray<ArrayBuffer>; width: number; height: number; causes: boolean};
+    | {what: 'compare-picture'; pixels: Uint8ClampedArray<ArrayBuffer>; width: number; height: number; causes: boolean}
+    /** The log of another ray tracer. */
+    | {what: 'diagnose'; log: Uint8Array<ArrayBuffer>; name: string};
 
 /** One job. A worker keeps one open scene per view; `request` is sent if it has not opened `key` yet. */
 export interface Job {
@@ -69,6 +71,7 @@ export interface Answers {
     convert: string;
     compare: Comparison;
     'compare-picture': Comparison;
+    diagnose: Diagnosis;
 }
 
 /**

@@ -90,6 +90,7 @@ async function work(job: JobMessage): Promise<Answers[keyof Answers]> {
         }
     }
     if (task.what === 'compare-picture') return scene.comparePicture(task, {causes: task.causes});
+    if (task.what === 'diagnose') return scene.diagnose(task.log, {name: task.name});
     return tile(open, task.rect);
 }
 

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the user drops or chooses: scenes with what they include, also in a folder or a .zip, or a picture of the present scene.
+// What the user drops or chooses: scenes with what they include, also in a folder or a .zip, or a picture or a log of the present
+// scene.
 import {computed, effect, signal} from '@preact/signals';
 import type {SceneText} from 'glint-wasm';
 
 import {type GivenFile, unpacker, withoutArchives} from '../given_files';
 import {isMeshName, meshExtensions, readFile} from '../mesh_file';
 import {isPictureName} from '../picture_file';
+import {isLog} from '../log_file';
 import {extensions, formatOf} from '../text/formats';
 import {namesIncludedBy, rootsOf, textsFor} from '../text/includes';
 import {keepForBack, setAddress} from './address';
 import {fetchLater} from './later';
 import {openPicture} from './own';
+import {openLog} from './own_log';
 import {openScene, sceneOfMesh, shortName} from './scene';
 import {currentDocumentState, documentId, fileName, includes, missing, notice, services, text} from './state';
 
@@ -31,12 +34,12 @@ export async function openFiles(given: readonly GivenFile[]) {
         notice.value = error instanceof Error ? error.message : String(error);
         return;
     }
-    const picture = files.find(({path}) => isPictureName(path));
-    if (picture && files.every(({path}) => isPictureName(path))) {
-        await openPicture(picture.file);
-    } else {
-        await openTexts(files.filter(({path}) => !isPictureName(path)), given);
-    }
+    const areLogs = await Promise.all(files.map(({file}) => isLog(file)));
+    const log = files.find((_, i) => areLogs[i]), picture = files.find(({path}) => isPictureName(path));
+    const others = files.filter(({path}, i) => !areLogs[i] && !isPictureName(path));
+    if (others.length > 0 || (!log && !picture)) await openTexts(others, given);
+    else if (picture) await openPicture(picture.file);
+    if (log) await openLog(log.file);
 }
 
 /** Supplies the texts that the present scene lacks, if they are among these; else opens the first scene, with those that it includes. */

@@ -49,6 +49,11 @@ export const split = signal(0.5);
 /** A picture of the scene by another program, which the user has dropped; it is shown as the right one. */
 export interface OwnPicture {name: string; image: ImageData}
 export const ownPicture = signal<OwnPicture | null>(null);
+
+/** What the user's own ray tracer has logged of the scene, whose number is `document`. */
+export interface OwnLog {name: string; bytes: Uint8Array<ArrayBuffer>; size: [number, number] | null; document: number}
+export const ownLog = signal<OwnLog | null>(null);
+
 /** Two pictures are shown: the names of both. */
 export const besides = computed(() => {
     const compare = comparison.value, own = ownPicture.value;

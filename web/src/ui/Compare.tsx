@@ -7,6 +7,7 @@ import {comparison, comparisonFailure, difference, info, settingOf, split} from 
 import {wordsOf} from './Controls';
 import {Choice, Switch, TextField} from './fields';
 import {Own} from './Own';
+import {OwnLog} from './OwnLog';
 import {canvases, firstDone, pixelsOf, secondDone} from './pictures';
 
 const presets = [
@@ -93,6 +94,7 @@ export function Compare() {
     return (
         <>
             <Own view={<ViewOfBoth />} />
+            <OwnLog />
             <section>
                 <h2>Two renderings of one scene</h2>
                 <div class="presets">

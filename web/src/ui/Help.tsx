@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Help: the guide with the keys, and the reference of each format and of the conventions, from the project's documents.
 import {useSignal} from '@preact/signals';
-import {useRef} from 'preact/hooks';
+import {useEffect, useRef} from 'preact/hooks';
 
 import type {Topic} from '../learn/types';
+import {slugOf, wantedHelp} from '../store/help';
 import {info, tab} from '../store/state';
 
 export function Help() {
@@ -17,6 +18,16 @@ export function Help() {
         now.value = id;
         text.current?.scrollTo(0, 0);
     };
+    const wanted = wantedHelp.value;
+    useEffect(() => {
+        if (!wanted) return;
+        wantedHelp.value = null;
+        void open().then(() => {
+            show(wanted.topic);
+            // When the topic's text is there.
+            requestAnimationFrame(() => [...text.current?.querySelectorAll('h2, h3, h4') ?? []].find((one) => slugOf(one.textContent ?? '') === wanted.heading)?.scrollIntoView());
+        });
+    }, [wanted]);
     // A scene's profile is that of its format; others are .glint's.
     const own = topics.value.find(({id}) => id === info.value?.profile)?.id ?? 'glint';
     const topic = topics.value.find(({id}) => id === now.value);

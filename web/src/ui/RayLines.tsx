@@ -5,13 +5,14 @@ import type {CameraInfo, Explanation, Vec3} from 'glint-wasm';
 import {add, projectLine} from '../camera';
 import {info, pinned, size} from '../store/state';
 import {steps} from '../store/stepping';
+import {ownRays} from './own_rays';
 
 export interface Segment {
-    /** The index of its ray, or of that whose hit it leaves to a light. */
+    /** The index of its ray, or of that whose hit it leaves to a light; -1: a ray of the user's own ray tracer. */
     ray: number;
     from: Vec3;
     to: Vec3;
-    kind: 'camera' | 'mirror' | 'transmitted' | 'light' | 'blocked' | 'dark';
+    kind: 'camera' | 'mirror' | 'transmitted' | 'light' | 'blocked' | 'dark' | 'yours';
 }
 
 /** The length of the line for a ray that leaves the scene. */
@@ -46,11 +47,11 @@ export function segments(explanation: Explanation): Segment[] {
             }
         }
     }
-    return list;
+    return [...ownRays(reach), ...list];
 }
 
 /** How a segment's ray takes part in stepping: the present one, one that is not reached yet. */
-export const stepClass = ({ray}: Segment) => (!steps.value || steps.value.at === null ? '' : steps.value.ray === ray ? ' now' : steps.value.shown.has(ray) ? '' : ' later');
+export const stepClass = ({ray}: Segment) => (ray < 0 || !steps.value || steps.value.at === null ? '' : steps.value.ray === ray ? ' now' : steps.value.shown.has(ray) ? '' : ' later');
 
 function Lines({explanation, camera, width, height}: {explanation: Explanation; camera: CameraInfo; width: number; height: number}) {
     return (

@@ -9,6 +9,7 @@ import {isLarge, isOpen, turn} from '../store/space';
 import {info, isPictureOfScene} from '../store/state';
 import {startTurn} from '../space/frame';
 import {StepButtons} from './StepButtons';
+import {ownRays} from './own_rays';
 
 const loaded: Signal<ComponentType | null> = signal(null);
 
@@ -55,6 +56,7 @@ export function Space() {
             <label class="cut">Cut away <input type="range" min={-1} max={1} step={0.05} value={cut} onInput={(event) => set({cut: event.currentTarget.valueAsNumber})} /></label>
             <p class="legend">
                 {legend.map(([kind, words]) => <span key={kind}><span class={`ray-key ${kind}`} /> {words}</span>)}
+                {ownRays(1).length > 0 && <span><span class="ray-key yours" /> yours</span>}
             </p>
         </section>
     );

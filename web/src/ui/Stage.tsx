@@ -12,6 +12,7 @@ import {
 } from '../store/state';
 import {cameraNow, moveCamera, resetCamera} from '../store/viewpoint';
 import {Difference} from './Compare';
+import {LogPixels} from './LogPixels';
 import {keyPressed, lookDistance, usePointers, useWheel, zoom} from './gestures';
 import {RayLines} from './RayLines';
 import {Space} from './Space';
@@ -204,6 +205,7 @@ export function Stage() {
                     )}
                     {beside && difference.value && <Difference />}
                     {!isPictureOfScene.value && state.value === 'error' && <p class="no-picture">There is no picture: the text has errors.</p>}
+                    <LogPixels />
                     <RayLines />
                     {pixel.value && pinned.value?.pixel.join() !== pixel.value.join() && (
                         <div class="cursor" style={{left: percent(x, size.value.width), top: percent(y, size.value.height),

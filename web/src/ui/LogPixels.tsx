@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// Marks the pixels of the user's log in the picture, while its panel is open.
+import {isLogOfPicture, loggedPixels, mirrored} from '../store/own_log';
+import {ownLog, size, tab} from '../store/state';
+
+/** A log of so many pixels is of the whole picture, or of a part of it. */
+const most = 500;
+
+export function LogPixels() {
+    if (!ownLog.value || tab.value !== 'compare' || !isLogOfPicture() || loggedPixels.value.size > most) return null;
+    const {width, height} = size.value;
+    return (
+        <svg class="rays" viewBox={`0 0 ${width} ${height}`} preserveAspectRatio="none" aria-hidden="true">
+            {[...loggedPixels.value.values()].map(({at, first}) => {
+                const [x, y] = mirrored(at), circle = {cx: x + 0.5, cy: y + 0.5, r: width / 220, 'vector-effect': 'non-scaling-stroke' as const};
+                return <g key={at.join()}><circle class="logged-back" {...circle} /><circle class={`logged${first >= 0 ? ' wrong' : ''}`} {...circle} /></g>;
+            })}
+        </svg>
+    );
+}
