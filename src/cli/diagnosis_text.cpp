@@ -66,6 +66,7 @@ std::string finding_text(const DiagnosisFinding& finding, const Diagnosis& diagn
                    value_text(row, row.yours), value_text(row, row.expected));
     if (!finding.relation.empty() && finding.causes.empty())
         fmt::format_to(out, "  everywhere {}\n", finding.relation);
+    if (finding.relation.starts_with("the exponent")) fmt::format_to(out, "  {}\n", finding.relation);
     if (finding.is_sure) {
         fmt::format_to(out, "  cause: {} ({})\n", finding.causes[0].explanation, finding.causes[0].id);
     } else if (!finding.causes.empty()) {

@@ -259,6 +259,9 @@ class Diagnosing {
                 finding.only = reason.only;
                 finding.relation =
                     reason.is_number ? relation_of(seen_, reason.places) : "yours is not a number";
+                for (const Trial& trial : reason.trials)
+                    if (trial.mistake == TracerMistake::exponent_other)
+                        finding.relation = fmt::format("the exponent is {:.4g}", trial.number);
                 std::set<std::uint32_t> pixels;
                 std::size_t example = reason.places.front();
                 for (const std::size_t i : reason.places) {

@@ -35,7 +35,11 @@ class ReasonFinder {
         std::set<std::size_t> left(numbers.begin(), numbers.end());
         for (int i = 0; i < 3 && !left.empty(); ++i)
             if (!take_best(results, left, reasons)) break;
-        if (!left.empty()) reasons.emplace_back().places.assign(left.begin(), left.end());
+        if (!left.empty()) {
+            FoundReason& unknown = reasons.emplace_back();
+            unknown.places.assign(left.begin(), left.end());
+            unknown.only = condition_of(unknown.places);
+        }
         add_untried(reasons);
         return reasons;
     }
@@ -56,6 +60,22 @@ class ReasonFinder {
             reason->places.push_back(i);
         }
         for (FoundReason& reason : reasons) std::sort(reason.places.begin(), reason.places.end());
+    }
+
+    // Where alone a difference is whose cause is unknown: a condition that holds at all of its places, and at
+    // no right one of at least three.
+    std::string condition_of(const std::vector<std::size_t>& places) const {
+        std::vector<std::size_t> right;
+        for (std::size_t i = 0; i < all_.size() && right.size() < k_most_right; ++i)
+            if (all_[i].place.quantity == quantity_ && all_[i].verdict == Verdict::right) right.push_back(i);
+        if (right.size() < k_sure_pixels || places.size() < k_sure_pixels) return {};
+        for (const Condition& condition : trials_.conditions()) {
+            const auto holds = [&](std::size_t i) { return condition.holds(all_[i].place); };
+            if (std::all_of(places.begin(), places.end(), holds) &&
+                std::none_of(right.begin(), right.end(), holds))
+                return condition.words;
+        }
+        return {};
     }
 
     // In a log of thousands of pixels, rounding behind several surfaces of glass gives some values of any

@@ -52,6 +52,16 @@ void add_light_votes(const LogModel& model, std::size_t p, std::size_t r,
     }
 }
 
+// From which number shapes are counted, if the numbers themselves show it: from 0 or from 1.
+std::optional<std::int64_t> first_number(const std::vector<LogLabel>& labels, std::size_t shapes) {
+    const auto has = [&](std::int64_t number) {
+        return std::any_of(labels.begin(), labels.end(),
+                           [&](const LogLabel& label) { return label.number == number; });
+    };
+    if (has(0)) return 0;
+    return has(static_cast<std::int64_t>(shapes)) ? std::optional<std::int64_t>(1) : std::nullopt;
+}
+
 }  // namespace
 
 // Which shape a label is: that which is hit where t or P agree, else that of its name or its number.
@@ -114,10 +124,18 @@ void infer_shapes(LogModel& model) {
             if (fitting > offset.second) offset = {first, fitting};
         }
     }
+    // Numbers are in the scene's order unless those that are known say otherwise: what glint hits at the same
+    // places shows nothing if the log's hits are wrong.
+    bool is_in_order = offsets.size() == 1 && (offset.first == 0 || offset.first == 1);
+    if (const auto first = first_number(log.shape_labels, model.scene.shapes.size());
+        offset.second == 0 && first) {
+        offset.first = *first;
+        is_in_order = true;
+    }
     for (std::size_t l = 0; l < of.size(); ++l) {
         if (of[l] != k_none) continue;
         const std::optional<std::int64_t> number = log.shape_labels[l].number;
-        if (number && offset.second > 1 && *number >= offset.first &&
+        if (number && (is_in_order || offset.second > 1) && *number >= offset.first &&
             *number - offset.first < static_cast<std::int64_t>(model.scene.shapes.size())) {
             of[l] = static_cast<std::uint32_t>(*number - offset.first);
         } else if (sure[l].empty()) {

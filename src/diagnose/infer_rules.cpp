@@ -155,6 +155,8 @@ void infer_sign(LogModel& model, double& sign, Quantity quantity, std::initializ
 
 void infer_white(LogModel& model) {
     const auto& declared = model.log.white;
+    std::vector<Quantity> undecided;
+    std::size_t to_255 = 0, to_1 = 0;  // quantities
     for (int i = 0; i < k_quantities; ++i) {
         const auto quantity = static_cast<Quantity>(i);
         if (info_of(quantity).kind != QuantityKind::color || quantity == Quantity::bytes ||
@@ -184,12 +186,21 @@ void infer_white(LogModel& model) {
         if (values.empty()) continue;
         const auto large = std::count_if(values.begin(), values.end(), [](double v) { return v > 3; });
         const Score as_it_is = score(model, {quantity});
-        if (as_it_is.agree == as_it_is.all) continue;
+        if (as_it_is.agree == as_it_is.all) {
+            if (as_it_is.agree > 0) ++to_1;
+            continue;
+        }
         white = 255;
         const Score scaled = score(model, {quantity});
         const bool is_mostly_large = 2 * static_cast<std::size_t>(large) > values.size();
+        if (scaled.agree == 0 && as_it_is.agree == 0) undecided.push_back(quantity);
         if (scaled.agree < as_it_is.agree || (scaled.agree == as_it_is.agree && !is_mostly_large)) white = 1;
+        if (scaled.agree != as_it_is.agree) ++(white == 255 ? to_255 : to_1);
     }
+    // A quantity that is wrong by either scale has that of the others.
+    if (to_255 == to_1) return;
+    for (const Quantity quantity : undecided)
+        model.rules.white[static_cast<std::size_t>(quantity)] = to_255 > to_1 ? 255 : 1;
 }
 
 }  // namespace

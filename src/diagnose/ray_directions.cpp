@@ -69,6 +69,10 @@ std::optional<std::array<double, 2>> RayModel::mistaken_viewport() const {
             u = (trial_.variant == 2 ? x : x + 1) / width - 0.5,
             v = 0.5 - (trial_.variant == 1 ? y : y + 1) / height;
             break;
+        case TracerMistake::pixel_over_last:
+            if (width < 2 || height < 2) return std::nullopt;
+            u = x / (width - 1) - 0.5, v = 0.5 - y / (height - 1);
+            break;
         case TracerMistake::aspect_ignored:
             trial_.variant == 0 ? v *= aspect : u /= aspect;
             break;

@@ -60,6 +60,9 @@ std::optional<bool> RayModel::is_blocked(std::uint32_t index) const {
     if (is(TracerMistake::blocked_to_squared_distance) && light.has_position())
         return is_blocked_from(index, p->value(), to_light * length(ApproxVec(to_light)).v) ||
                is_blocked_from(index, p->value(), to_light);
+    if (is(TracerMistake::blocked_within_one) && light.has_position())
+        return far > 1 ? is_blocked_from(index, p->value(), to_light * (1 / far))
+                       : is_blocked_from(index, p->value(), to_light);
     if (is(TracerMistake::blocked_beyond_light)) return is_blocked_from(index, p->value(), to_light, false);
     if (is_reference() && reference_->hit) {
         for (const LightTerms& terms : reference_->hit->lights)

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "diagnose/own_log.h"
 #include "math/transform.h"
@@ -101,6 +102,51 @@ TEST(Diagnose, LogsThatCannotBeCompared) {
     EXPECT_EQ(message("size 50 50\npixel 1 1\nray camera\n"),
               "log: the log is of a picture of 50x50 pixels, the scene's has 64x48: give its size");
     EXPECT_EQ(message("pixel 1 1\nray camera\nN 1\nt 1\n"), "log:3:1: expected 3 numbers after 'N', found 1");
+}
+
+// A log of wrong pixels alone: what glint hits there does not say which shapes the numbers are.
+TEST(Diagnose, NumbersOfShapesAreInTheScenesOrder) {
+    const OwnScene own = own_scene(
+        "camera { position = (0, 0, 9)  look_at = (0, 0, 0) }\nlight { position = (3, 4, 9) }\n"
+        "sphere { center = (0, 0, 0)  radius = 1 }\nsphere { center = (0, 0, -5)  radius = 3 }\n"
+        "sphere { center = (0, 0, -15)  radius = 9 }\n",
+        "three.glint");
+    std::string log;
+    for (int x = 29; x < 35; ++x) {
+        const Vec3 d = explain(own.scene, own.world, x, 24).value().rays[0].direction;
+        // The last sphere is hit in place of the first, at its own distance.
+        log += fmt::format("pixel {} 24\nray camera\ndirection {} {} {}\nshape 2\nt 15.2\nend\n", x, d.x, d.y,
+                           d.z);
+    }
+    log += "pixel 10 24\nray camera\nshape 0\nend\n";
+    const Diagnosis found = diagnose(own.scene, own.world, log).value();
+    for (const std::string& sentence : found.conventions)
+        EXPECT_EQ(sentence.find("another order"), std::string::npos) << sentence;
+    ASSERT_FALSE(found.findings.empty());
+    EXPECT_EQ(found.findings[0].quantity, "shape");
+    EXPECT_EQ(found.findings[0].example.yours.numbers[0], 3);
+    EXPECT_EQ(found.findings[0].example.expected.numbers[0], 1);
+}
+
+// One quantity that is wrong does not decide that its colors go to 1.
+TEST(Diagnose, TheScaleOfColorsIsThatOfTheOthers) {
+    const OwnScene own = scene_of("cgfs/three_mirrors.cgfs");
+    OwnLog log;
+    log.color = [](Color c) { return c * 255; };
+    std::string text = log.write(own);
+    // Each highlight is a third.
+    std::string changed;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        double r = 0, g = 0, b = 0;
+        if (std::sscanf(line.c_str(), "specular %lf %lf %lf", &r, &g, &b) == 3)
+            line = fmt::format("specular {} {} {}", r / 3, g / 3, b / 3);
+        changed += line + "\n";
+    }
+    const Diagnosis found = diagnose(own.scene, own.world, changed).value();
+    ASSERT_FALSE(found.findings.empty());
+    EXPECT_EQ(found.findings[0].quantity, "specular");
+    EXPECT_EQ(found.findings[0].relation, "yours is 0.3333 times what it should be");
 }
 
 // A log says the size of its picture, which need not be the scene's.

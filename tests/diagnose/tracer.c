@@ -152,7 +152,7 @@ static Vec light_of(const Shape* s, Vec p, Vec n, Vec v, Vec direction) {
         const float attenuation = attenuation_of(light, d), spot = spot_of(light, l);
         const Vec start = WRONG("shadow-no-epsilon") ? p : add(p, mul(n, k_epsilon));
         const Vec from_start = sub(light->position, start);
-        const float t_max = WRONG("shadow-without-limit") ? INFINITY : length(from_start);
+        const float t_max = WRONG("shadow-without-limit") ? INFINITY : WRONG("shadow-within-one") ? 1 : length(from_start);
         int blocked = is_blocked(start, unit(from_start), 0, t_max);
         if (WRONG("no-shadows")) blocked = 0;
         if (WRONG("shadow-inverted")) blocked = !blocked;
@@ -277,6 +277,7 @@ static Vec direction_of(int x, int y, int width, int height) {
     if (WRONG("fov-in-degrees")) angle = 55.0f / 2;
     const float half = tanf(angle), in_pixel = WRONG("pixel-centre-missing") ? 0 : 0.5f;
     float sx = 2 * (x + in_pixel) / width - 1, sy = 1 - 2 * (y + in_pixel) / height;
+    if (WRONG("pixel-over-last")) sx = 2.0f * x / (width - 1) - 1, sy = 1 - 2.0f * y / (height - 1);
     if (WRONG("integer-division")) sx = 2 * (x / width) - 1, sy = 1 - 2 * (y / height);
     if (WRONG("rows-flipped")) sy = -sy;
     if (WRONG("columns-mirrored")) sx = -sx;
