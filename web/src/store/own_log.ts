@@ -3,7 +3,7 @@
 import {batch, computed, effect, signal, untracked} from '@preact/signals';
 import type {DiagnosedRow, Diagnosis} from 'glint-wasm';
 
-import {readLog} from '../log_file';
+import {logOfText, readLog} from '../log_file';
 
 import {pin} from './pixels';
 import {presentRequest, shortName} from './scene';
@@ -71,6 +71,13 @@ export async function openLog(file: File) {
     } catch (error) {
         notice.value = `${shortName(file.name)} is not opened: ${error instanceof Error ? error.message : String(error)}.`;
     }
+}
+
+/** Opens the log of a lesson or challenge, whose scene has been opened. The panel stays. */
+export function openLogOf({name, text}: {name: string; text: string}) {
+    ++opened;
+    isNew = false;
+    ownLog.value = {name, document: documentId.value, ...logOfText(text)};
 }
 
 let opened = 0;
