@@ -62,10 +62,13 @@ const views = [
         await drop(page, {name: 'mine.log', text: wrongLog});
         await page.locator('.log-finding').first().waitFor();
         await page.locator('.own-log .space-frame').waitFor();
+        await page.getByRole('button', {name: 'Show this value'}).first().click();
+        await page.waitForTimeout(600);
     }],
     ['a bad log', async (page) => {
         await drop(page, {name: 'bad.log', text: 'pixel 1 2\nray\n'});
         await page.locator('.own-log [role=alert]').waitFor();
+        await page.evaluate(() => scrollTo(0, 0));
     }],
     ['Learn', async (page) => {
         await page.getByRole('button', {name: 'Close your log'}).click();

@@ -64,13 +64,13 @@ test('the first wrong quantity of a log is named as by the command, and its valu
     const tree = own.locator('.log-tree');
     assert.equal(await tree.getAttribute('data-pixel'), command.findings[0].example.pixel.join());
     const rows = command.rows.filter(({pixel}) => pixel.join() === command.findings[0].example.pixel.join());
-    assert.deepEqual(await tree.locator('tbody tr:not(.of-light)').evaluateAll((all) => all.map((one) => one.className.replace(' first', ''))), rows.map(({verdict}) => verdict));
+    assert.deepEqual(await tree.locator('tbody tr:not(.of)').evaluateAll((all) => all.map((one) => one.className.replace(' first', ''))), rows.map(({verdict}) => verdict));
     assert.equal(await tree.locator('tr.first').count(), 1);
     const [yours, expected] = await tree.locator('tr.first td').allInnerTexts();
     const wrong = rows.find(({verdict}) => verdict === 'wrong');
     assert.match(await tree.locator('tr.first th').innerText(), /^✗\s*N\.L/);
     assert.ok(Math.abs(Number(yours) / wrong.yours - 1) < 1e-3 && Math.abs(Number(expected) / wrong.expected - 1) < 1e-3, `${yours} ${expected}`);
-    assert.deepEqual(await tree.locator('.of-light').first().allInnerTexts(), ['point light, line 19']);
+    assert.deepEqual(await tree.locator('.of').first().allInnerTexts(), ['point light, line 19']);
     assert.match(await tree.locator('caption').first().innerText(), /Camera ray/);
 
     // The pixel is explained, and another one when it is chosen here or there.

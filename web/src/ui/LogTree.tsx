@@ -30,7 +30,7 @@ function Row({row, isFirst}: {row: DiagnosedRow; isFirst: boolean}) {
     return (
         <tr class={`${row.verdict}${isFirst ? ' first' : ''}`} data-row={keyOf(row)} tabIndex={-1}>
             <th scope="row" title={row.line > 0 ? `line ${row.line} of the log` : undefined}>
-                <span class="mark" aria-hidden="true">{marks[row.verdict]}</span>{row.quantity}
+                <span class="name"><span class="mark" aria-hidden="true">{marks[row.verdict]}</span>{row.quantity}</span>
                 <span class="for-readers"> {isFirst ? 'wrong, the first difference' : words[row.verdict]}</span>
                 {isFirst && <span class="badge" aria-hidden="true">first</span>}
             </th>
@@ -59,7 +59,7 @@ function RayTable({rows, first}: {rows: DiagnosedRow[]; first: DiagnosedRow | un
             <thead><tr><th scope="col">quantity</th><th scope="col">yours</th><th scope="col">should be</th></tr></thead>
             {grouped(rows, ({light}) => light?.index).map((group, i) => (
                 <tbody key={i}>
-                    {group[0]!.light && <tr class="of-light"><th colSpan={3} scope="rowgroup">{loggedLight(group[0]!.light)}</th></tr>}
+                    {(i > 0 || group[0]!.light) && <tr class="of"><th colSpan={3} scope="rowgroup">{group[0]!.light ? loggedLight(group[0]!.light) : 'the surface'}</th></tr>}
                     {group.map((row, k) => <Row key={k} row={row} isFirst={row === first} />)}
                 </tbody>
             ))}

@@ -4,6 +4,7 @@ import type {Diagnosis, DiagnosisFinding} from 'glint-wasm';
 
 import {openHelp} from '../store/help';
 import {closeLog, diagnosis, isLogOfPicture, loggedPixels} from '../store/own_log';
+import {isProjected} from '../store/projector';
 import {setSetting} from '../store/settings';
 import {info, ownLog, pinned, state, tab} from '../store/state';
 import {FileButton} from './fields';
@@ -77,7 +78,7 @@ function Found({found}: {found: Diagnosis}) {
             {found.conventions.length > 0 && <ul class="log-facts" aria-label="What the log’s numbers mean">{found.conventions.map((one) => <li key={one}>{one}</li>)}</ul>}
             {found.findings.length > 0 && <ol class="log-findings" aria-label="What differs">{found.findings.map((one, i) => <Finding key={i} finding={one} all={found.pixels} />)}</ol>}
             <LogTree />
-            {pinned.value && tab.value === 'compare' && isLogOfPicture() && <SpaceInPanel />}
+            {pinned.value && tab.value === 'compare' && !isProjected.value && isLogOfPicture() && <SpaceInPanel />}
         </>
     );
 }
