@@ -79,7 +79,7 @@ test('a newcomer finds installing, the first picture, a lesson and the reference
     await shoot(page, 'site_reference.png');
     await follow('The lighting equation');
     await check('document');
-    await follow('twelve lessons');
+    await follow('thirteen lessons');
     await page.getByRole('link', {name: 'Diffuse light and N·L'}).click();
     await check('lesson');
     await page.getByRole('link', {name: 'Open this scene in the playground'}).first().click();

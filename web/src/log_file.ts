@@ -17,9 +17,21 @@ export async function isLog(file: File): Promise<boolean> {
     return /\.txt$/i.test(file.name) && begins.test(await headOf(file));
 }
 
-/** The bytes, and the size of the picture if the log says it. Throws an Error that says what is wrong. */
-export async function readLog(file: File): Promise<{bytes: Uint8Array<ArrayBuffer>; size: [number, number] | null}> {
+export interface Log {
+    bytes: Uint8Array<ArrayBuffer>;
+    /** Of the picture, if the log says it. */
+    size: [number, number] | null;
+}
+
+function logOf(bytes: Uint8Array<ArrayBuffer>, start: string): Log {
+    const said = /^\W*size\W+(\d+)\W+(\d+)/im.exec(start);
+    return {bytes, size: said ? [Number(said[1]), Number(said[2])] : null};
+}
+
+export const logOfText = (text: string): Log => logOf(new TextEncoder().encode(text), text.slice(0, head));
+
+/** Throws an Error that says what is wrong. */
+export async function readLog(file: File): Promise<Log> {
     if (file.size > mostBytes) throw new Error(`it has ${Math.round(file.size / 1e6)} MB, and the page reads logs of up to ${mostBytes / 1e6}: log fewer pixels`);
-    const said = /^\W*size\W+(\d+)\W+(\d+)/im.exec(await headOf(file));
-    return {bytes: new Uint8Array(await file.arrayBuffer()), size: said ? [Number(said[1]), Number(said[2])] : null};
+    return logOf(new Uint8Array(await file.arrayBuffer()), await headOf(file));
 }

@@ -20,15 +20,15 @@ function split(markdown, where) {
     const tokens = marked.lexer(markdown);
     const title = tokens.find((token) => token.type === 'heading' && token.depth === 1)?.text;
     if (!title) throw new Error(`${where}: a lesson begins with its title`);
-    const parts = [{title, tokens: [], scene: null, checks: [], solution: null}];
+    const parts = [{title, tokens: [], scene: null, log: null, checks: [], solution: null}];
     for (const token of tokens) {
         const part = parts.at(-1);
         if (token.type === 'heading' && token.depth === 1) continue;
         if (token.type === 'heading' && token.depth === 2) {
-            parts.push({title: token.text, tokens: [], scene: null, checks: [], solution: null});
+            parts.push({title: token.text, tokens: [], scene: null, log: null, checks: [], solution: null});
         } else if (token.type === 'code' && token.lang) {
             const [what, name] = token.lang.split(/\s+/);
-            if (what === 'scene') part.scene = {name, text: `${token.text}\n`};
+            if (what === 'scene' || what === 'log') part[what] = {name, text: `${token.text}\n`};
             else if (what === 'check') part.checks.push(...token.text.split('\n').filter((line) => line.trim()));
             else if (what === 'solution') part.solution = token.text;
             else throw new Error(`${where}: unknown block '${token.lang}'`);
@@ -47,7 +47,7 @@ function lesson(file) {
     if (!intro.scene || steps.length < 3 || steps.length > 6) throw new Error(`${file}: a lesson has a scene and 3 to 6 steps`);
     const html = (part) => shorter(marked.parser(part.tokens)).trim();
     return {
-        id: file.replace(/\.md$/, ''), title: intro.title, html: html(intro), scene: intro.scene,
+        id: file.replace(/\.md$/, ''), title: intro.title, html: html(intro), scene: intro.scene, ...(intro.log && {log: intro.log}),
         steps: steps.map((step) => {
             if (step.checks.length === 0 || !step.solution) throw new Error(`${file}: step '${step.title}' needs a check and a solution`);
             return {title: step.title, html: html(step), scene: step.scene, checks: step.checks, solution: step.solution};
@@ -56,14 +56,14 @@ function lesson(file) {
 }
 
 /**
- * A file of challenges/: the task in its first line, perhaps lines of `# check CONDITION`, then the target and the start, divided
- * by a line of ---. The challenge is met by the target's picture, and by one that is nearly the target if the conditions hold.
+ * A file of challenges/: the task in its first line, perhaps lines of `# check CONDITION`, then the target, the start and perhaps the
+ * log of a program that draws the target, divided by lines of ---. The challenge is met by the target's picture, and by one that is nearly the target if the conditions hold.
  */
 function challenge(file) {
     const [task, ...rest] = readFileSync(join(challenges, file), 'utf8').split('\n');
     const checks = rest.filter((line) => line.startsWith('# check ')).map((line) => line.slice(8));
-    const [target, start] = rest.filter((line) => !line.startsWith('# check ')).join('\n').split(/^---\n/m);
-    return {id: file.replace(/\.\w+$/, ''), task: task.replace(/^#\s*/, ''), name: file, target, start, ...(checks.length > 0 ? {checks} : {})};
+    const [target, start, log] = rest.filter((line) => !line.startsWith('# check ')).join('\n').split(/^---\n/m);
+    return {id: file.replace(/\.\w+$/, ''), task: task.replace(/^#\s*/, ''), name: file, target, start, ...(log && {log: {name: 'mine.log', text: log}}), ...(checks.length > 0 ? {checks} : {})};
 }
 
 /** Documents that the page's help shows, and the heading from which on. Their links lead to other documents, which the page does not have. */

@@ -6,6 +6,8 @@ import type {Explanation, ExplainedHit, SceneInfo} from 'glint-wasm';
 export interface Situation {
     info: SceneInfo;
     pinned: Explanation | null;
+    /** Of the log that is open: pixels with a difference, and the first wrong quantity of the chosen pixel, or "none"; null: it is not known. */
+    log: {wrong: number | null; chosen: string | null};
     /** Explains the pixel at these fractions of the picture's size. */
     explain(x: number, y: number): Promise<Explanation | null>;
 }
@@ -74,7 +76,7 @@ function lightName(info: SceneInfo, index: number): string {
 }
 
 /** The quantity that the words before the sign name. Null: they name none. */
-async function find(words: string[], {info, pinned, explain}: Situation): Promise<Found[] | null> {
+async function find(words: string[], {info, pinned, log, explain}: Situation): Promise<Found[] | null> {
     const [what, ...rest] = words;
     const last = rest.at(-1);
     if (what === 'setting' && last !== undefined) {
@@ -82,6 +84,8 @@ async function find(words: string[], {info, pinned, explain}: Situation): Promis
         const isNumber = value !== null && value.trim() !== '' && Number.isFinite(Number(value));
         return [{value: isNumber ? Number(value) : value, name: last}];
     }
+    if (what === 'log' && last === 'wrong') return [{value: log.wrong, name: 'the number of pixels of the log that differ'}];
+    if (what === 'log' && last === 'chosen') return [{value: log.chosen, name: 'the first wrong quantity of the chosen pixel'}];
     if (what === 'lights' && last === undefined) return [{value: info.lights.length, name: 'the number of lights'}];
     if (what === 'light' && rest.length === 2) {
         const index = Number(rest[0]);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lessons and challenges, as tools/make-lessons.mjs makes them.
 
+export interface NamedText {name: string; text: string}
+
 export interface Step {
     title: string;
     html: string;
     /** Opened when the step begins; null: the scene stays. */
-    scene: {name: string; text: string} | null;
+    scene: NamedText | null;
     /** All of them make the step done; see checks.ts. */
     checks: string[];
     solution: string;
@@ -15,7 +17,9 @@ export interface Lesson {
     id: string;
     title: string;
     html: string;
-    scene: {name: string; text: string};
+    scene: NamedText;
+    /** The log of a program that should draw the scene; it is open while the lesson is. */
+    log?: NamedText;
     steps: Step[];
 }
 
@@ -26,6 +30,8 @@ export interface Challenge {
     name: string;
     target: string;
     start: string;
+    /** The log of a program that draws the target. */
+    log?: NamedText | undefined;
     /** If given: the challenge is also met if all of them hold (checks.ts) and the picture is nearly the target. */
     checks?: string[];
     /** If given: only lines with one of these words may be changed. */

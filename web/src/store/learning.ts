@@ -4,12 +4,13 @@ import {effect, signal} from '@preact/signals';
 import type {Comparison, OpenRequest} from 'glint-wasm';
 
 import {gallery} from '../gallery';
-import {examine} from '../learn/checks';
+import {type Situation, examine} from '../learn/checks';
 import {solutionOf} from '../learn/solution';
 import type {Challenge, Lesson} from '../learn/types';
 import {type Entry, type Place, arrive, galleryName, keepForBack, placeOf, setAddress} from './address';
 import {forgetHints} from './hints';
 import {fetchLater} from './later';
+import {chosenPixel, diagnosis, openLogOf} from './own_log';
 import {openBookScene, openLink, openScene, presentRequest, resumeChallenge} from './scene';
 import {
     documentId, fileName, givenChallenge, includes, info, isFirstVisit, notice, overrides, pinned, services, shownId, size, state, tab, text,
@@ -69,6 +70,7 @@ export async function openLesson(id: string, number = 0) {
     end();
     const scene = found.steps[at]!.scene ?? found.scene;
     openScene(at > 0 && !found.steps[at]!.scene ? {...scene, text: solutionOf(found, at - 1).text} : scene, true);
+    if (found.log) openLogOf(found.log);
     showLesson(found, at);
 }
 
@@ -137,6 +139,7 @@ export function goToStep(number: number) {
     if (!now) return;
     keepForBack();
     if (scene) openScene(scene);
+    if (scene && now.log) openLogOf(now.log);
     pinned.value = null;  // of the step before
     verdict.value = null;
     step.value = number;
@@ -158,8 +161,18 @@ export async function openChallenge(id: string) {
     keepForBack();
     end();
     openScene({name: found.name, text: found.start}, true);
+    if (found.log) openLogOf(found.log);
     begin(found);
     setAddress({what: 'challenge', id: found.id});
+}
+
+/** The scene of the open step or challenge as it was at first. */
+export function beginAgain() {
+    const from = lesson.value, of = challenge.value;
+    if (from) openScene(from.steps[step.value]!.scene ?? from.scene);
+    else if (of) openScene({name: of.name, text: of.start});
+    const log = (from ?? of)?.log;
+    if (log) openLogOf(log);
 }
 
 /** Ends the lesson or challenge; the scene stays. */
@@ -215,7 +228,7 @@ async function examineAll(checks: readonly string[]): Promise<{isDone: boolean; 
     if (!facts || !current || !services.pool) return null;
     const {content, key: opened, prepare} = current;
     const situation = {
-        info: facts, pinned: pinned.value,
+        info: facts, pinned: pinned.value, log: facesOfLog(),
         explain: (x: number, y: number) => services.pool!.run({
             view: 'first', key: opened, request: content.request, prepare,
             task: {what: 'explain', x: Math.floor(x * size.value.width), y: Math.floor(y * size.value.height)},
@@ -230,6 +243,15 @@ async function examineAll(checks: readonly string[]): Promise<{isDone: boolean; 
         return null;
     }
     return {isDone: true, missing: ''};
+}
+
+/** What the checks ask of the log that is open. */
+function facesOfLog(): Situation['log'] {
+    const found = diagnosis.value, pixel = chosenPixel.value;
+    return {
+        wrong: found && typeof found !== 'string' ? found.wrong_pixels : null,
+        chosen: pixel && (pixel.first >= 0 ? pixel.rows[pixel.first]!.quantity : 'none'),
+    };
 }
 
 let checks = 0;
@@ -262,7 +284,7 @@ export function followLessons() {
     fetchLater(() => Promise.all([loadLessons(), import('../lessons/help')]));
     effect(() => {
         const isReady = state.value === 'done' && shownId.value === documentId.value;
-        void [pinned.value, info.value, step.value, overrides.value];
+        void [pinned.value, info.value, step.value, overrides.value, diagnosis.value, chosenPixel.value];
         if (state.value === 'error') verdict.value = {isDone: false, missing: 'The scene has an error, which the panel Text shows.'};
         if (!isReady) return;
         if (lesson.value) void checkStep();

@@ -3,7 +3,7 @@
 import {batch, computed, effect, signal, untracked} from '@preact/signals';
 import type {DiagnosedRow, Diagnosis} from 'glint-wasm';
 
-import {readLog} from '../log_file';
+import {logOfText, readLog} from '../log_file';
 
 import {pin} from './pixels';
 import {presentRequest, shortName} from './scene';
@@ -64,13 +64,21 @@ export async function openLog(file: File) {
         const log = await readLog(file);
         if (number !== opened || document !== documentId.value) return;  // another log or scene has been opened meanwhile
         batch(() => {
-            ownLog.value = {name: file.name, document, ...log};
+            ownLog.value = {name: file.name, document, isOfTask: false, ...log};
             isNew = true;
             tab.value = 'compare';
         });
     } catch (error) {
         notice.value = `${shortName(file.name)} is not opened: ${error instanceof Error ? error.message : String(error)}.`;
     }
+}
+
+/** Opens the log of a lesson or challenge, whose scene has been opened. The panel stays. */
+export function openLogOf({name, text}: {name: string; text: string}) {
+    ++opened;
+    isNew = false;
+    chosen.value = '';
+    ownLog.value = {name, document: documentId.value, isOfTask: true, ...logOfText(text)};
 }
 
 let opened = 0;
@@ -101,7 +109,15 @@ async function ask() {
     }
     if (key !== last || !ownLog.value) return;
     diagnosis.value = found;
-    if (isNew && typeof found !== 'string') showFirst(found);
+    if (typeof found === 'string') return;
+    if (isNew) showFirst(found);
+    else choosePinned();
+}
+
+/** Shows the pixel that is explained, if it is in the log. */
+function choosePinned() {
+    const key = pinned.value && isLogOfPicture() ? mirrored(pinned.value.pixel).join() : '';
+    if (loggedPixels.value.has(key)) chosen.value = key;
 }
 
 /** Of a log that has just been opened, the pixel that is explained, or one of the first mistake. */
@@ -133,12 +149,8 @@ export function followOwnLog() {
             }
         });
     });
-    // A pixel that is explained is shown, if it is in the log.
     effect(() => {
-        const pixel = pinned.value?.pixel;
-        untracked(() => {
-            const key = pixel && isLogOfPicture() ? mirrored(pixel).join() : '';
-            if (loggedPixels.value.has(key)) chosen.value = key;
-        });
+        void pinned.value;
+        untracked(choosePinned);
     });
 }

@@ -50,8 +50,8 @@ export const split = signal(0.5);
 export interface OwnPicture {name: string; image: ImageData}
 export const ownPicture = signal<OwnPicture | null>(null);
 
-/** What the user's own ray tracer has logged of the scene, whose number is `document`. */
-export interface OwnLog {name: string; bytes: Uint8Array<ArrayBuffer>; size: [number, number] | null; document: number}
+/** What the user's own ray tracer has logged of the scene, whose number is `document`. isOfTask: it came with a lesson or challenge. */
+export interface OwnLog {name: string; bytes: Uint8Array<ArrayBuffer>; size: [number, number] | null; document: number; isOfTask: boolean}
 export const ownLog = signal<OwnLog | null>(null);
 
 /** Two pictures are shown: the names of both. */

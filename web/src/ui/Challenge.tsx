@@ -6,10 +6,10 @@ import {useEffect, useRef} from 'preact/hooks';
 import {View} from '../engine/view';
 import {hints, isSearching, nextHint} from '../store/hints';
 import {
-    challenge, challenges, difference, done, forbiddenLines, isMet, leave, openChallenge, targetRequest, verdict,
+    beginAgain, challenge, challenges, difference, done, forbiddenLines, isMet, leave, openChallenge, targetRequest, verdict,
 } from '../store/learning';
 import {pin} from '../store/pixels';
-import {link, openScene} from '../store/scene';
+import {link} from '../store/scene';
 import {notice, overrides, services, state, text} from '../store/state';
 import {differencesOf} from './differences';
 import {TextField} from './fields';
@@ -99,7 +99,7 @@ function Hints({canvas}: {canvas: {current: HTMLCanvasElement | null}}) {
                 <button class="button" disabled={isSearching.value || isLast || !isTargetDrawn.value || state.value !== 'done' || verdict.value?.isDone === true} onClick={ask}>
                     {isSearching.value ? 'Searching…' : given ? 'Another hint' : 'Give me a hint'}
                 </button>
-                <button class="button" onClick={() => openScene({name: now.name, text: now.start})}>Begin again</button>
+                <button class="button" onClick={beginAgain}>Begin again</button>
             </div>
             {given && (
                 <>

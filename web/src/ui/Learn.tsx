@@ -4,10 +4,9 @@ import {useEffect} from 'preact/hooks';
 
 import {solutionOf} from '../learn/solution';
 import {
-    challenge, challenges, done, goToStep, leave, lesson, lessons, loadLessons, openChallenge, openLesson, step, stepId, verdict,
+    beginAgain, challenge, challenges, done, goToStep, leave, lesson, lessons, loadLessons, openChallenge, openLesson, step, stepId, verdict,
 } from '../store/learning';
 import {pin} from '../store/pixels';
-import {openScene} from '../store/scene';
 import {services, size, tab} from '../store/state';
 import {OpenChallenge, TeachersChallenge} from './Challenge';
 import type {Lesson, Step} from '../learn/types';
@@ -66,7 +65,7 @@ function StepOf({of, one, number}: {of: Lesson; one: Step; number: number}) {
                                 requestAnimationFrame(() => document.querySelector<HTMLElement>('.step[aria-current] .link')?.focus());
                             }}>Next step</button>
                             : <button class="button" aria-pressed={isDone} onClick={() => nextLesson(of)}>Next lesson</button>}
-                        <button class="button" onClick={() => openScene(one.scene ?? of.scene)}>Begin again</button>
+                        <button class="button" onClick={beginAgain}>Begin again</button>
                     </div>
                     <Solution of={of} number={number} />
                 </>
@@ -103,14 +102,14 @@ function List() {
                     })}
                 </ol>
             </section>
-            {[['Challenges: make this picture', false], ['What is wrong here?', true]].map(([heading, isFault]) => (
-                <section key={String(heading)}>
+            {[['Challenges: make this picture', 'c', 'Challenge'], ['What is wrong here?', 'case_', 'Case'], ['Find the bug with its log', 'log_', 'Log']].map(([heading, kind, word]) => (
+                <section key={heading}>
                     <h2>{heading}</h2>
                     <ol class="learn-list">
-                        {challenges.value.filter((one) => one.id.startsWith('case') === isFault).map((one, i) => (
+                        {challenges.value.filter((one) => one.id.replace(/\d+$/, '') === kind).map((one, i) => (
                             <li key={one.id}>
                                 <Tick isDone={isChallengeDone(one.id)} />
-                                <button class="link" data-challenge={one.id} onClick={() => void openChallenge(one.id)}>{isFault ? 'Case' : 'Challenge'} {i + 1}</button>
+                                <button class="link" data-challenge={one.id} onClick={() => void openChallenge(one.id)}>{word} {i + 1}</button>
                             </li>
                         ))}
                     </ol>

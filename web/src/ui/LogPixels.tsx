@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Marks the pixels of the user's log in the picture, while its panel is open.
+// Marks the pixels of the user's log in the picture, while its panel is open; those of a lesson's log beside the lesson, too.
 import {isLogOfPicture, loggedPixels, mirrored} from '../store/own_log';
 import {ownLog, size, tab} from '../store/state';
 
@@ -7,7 +7,8 @@ import {ownLog, size, tab} from '../store/state';
 const most = 500;
 
 export function LogPixels() {
-    if (!ownLog.value || tab.value !== 'compare' || !isLogOfPicture() || loggedPixels.value.size > most) return null;
+    const log = ownLog.value, isShown = tab.value === 'compare' || (log?.isOfTask && tab.value === 'learn');
+    if (!log || !isShown || !isLogOfPicture() || loggedPixels.value.size > most) return null;
     const {width, height} = size.value;
     return (
         <svg class="rays" viewBox={`0 0 ${width} ${height}`} preserveAspectRatio="none" aria-hidden="true">
