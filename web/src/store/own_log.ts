@@ -142,8 +142,8 @@ export function followOwnLog() {
             stopAsking();
             ++last;
             if (isOther) {
-                notice.value ||= `${shortName(log.name)} is closed: it is the log of the scene before.`;
-                queueMicrotask(closeLog);
+                if (!log.isOfTask) notice.value ||= `${shortName(log.name)} is closed: it is the log of the scene before.`;
+                queueMicrotask(() => ownLog.value === log && closeLog());  // not that of a challenge which has just been opened
             } else if (log && isReady) {
                 timer = window.setTimeout(() => void ask(), pause);
             }

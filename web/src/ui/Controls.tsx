@@ -7,7 +7,7 @@ import {type Samples, samplesOf, samplesText} from '../engine/levels';
 import {fieldValue, lightText, setField, setIntensity, switchLight} from '../store/lights';
 import {isHere, reveal} from '../store/places';
 import {setSetting} from '../store/settings';
-import {info, settingOf} from '../store/state';
+import {info, overrides, settingOf} from '../store/state';
 import {Field, capital} from './Field';
 import {FogControls} from './Fog';
 import {SkyControls} from './Sky';
@@ -19,7 +19,8 @@ export function wordsOf(setting: Setting): string[] | null {
 }
 
 function Size() {
-    const [width, height] = (settingOf('size')?.value ?? '1x1').split('x').map(Number) as [number, number];
+    // What has been set counts before the engine has answered: else a new height would bring the old width back.
+    const [width, height] = (overrides.value['size'] ?? settingOf('size')?.value ?? '1x1').split('x').map(Number) as [number, number];
     const set = (w: number, h: number) => setSetting('size', `${Math.round(w)}x${Math.round(h)}`);
     return (
         <fieldset class="row">
