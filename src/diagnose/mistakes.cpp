@@ -24,8 +24,7 @@ std::span<const MistakeInfo> mistake_infos() {
          "The ray goes through another corner of its pixel: the column or the row is one too far.", false, 3},
         {pixel_over_last, "pixel-over-last", Q::origin,
          "The picture's width and height are taken as one less, as x / (width - 1): a pixel's middle is at "
-         "(x + "
-         "0.5) / width."},
+         "(x + 0.5) / width."},
         {aspect_ignored, "aspect-ignored", Q::origin,
          "The picture's aspect ratio is not in the camera's rays: x covers width / height times as much as "
          "y.",
@@ -210,8 +209,7 @@ std::span<const MistakeInfo> mistake_infos() {
          "The shadow ray ends at the square of the light's distance: compare t with the distance."},
         {blocked_within_one, "blocked-within-one", Q::blocked,
          "Only shapes within one unit of P block: the limit 1 is for an L that is not of unit length, else "
-         "it is "
-         "the light's distance."},
+         "it is the light's distance."},
         {shadow_acne, "shadow-acne", Q::blocked,
          "The surface blocks its own light: begin the shadow ray a little above the surface, or ignore t "
          "below a small number.",

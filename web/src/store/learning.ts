@@ -228,7 +228,7 @@ async function examineAll(checks: readonly string[]): Promise<{isDone: boolean; 
     if (!facts || !current || !services.pool) return null;
     const {content, key: opened, prepare} = current;
     const situation = {
-        info: facts, pinned: pinned.value, log: facesOfLog(),
+        info: facts, pinned: pinned.value, log: factsOfLog(),
         explain: (x: number, y: number) => services.pool!.run({
             view: 'first', key: opened, request: content.request, prepare,
             task: {what: 'explain', x: Math.floor(x * size.value.width), y: Math.floor(y * size.value.height)},
@@ -246,7 +246,7 @@ async function examineAll(checks: readonly string[]): Promise<{isDone: boolean; 
 }
 
 /** What the checks ask of the log that is open. */
-function facesOfLog(): Situation['log'] {
+function factsOfLog(): Situation['log'] {
     const found = diagnosis.value, pixel = chosenPixel.value;
     return {
         wrong: found && typeof found !== 'string' ? found.wrong_pixels : null,
