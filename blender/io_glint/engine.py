@@ -151,11 +151,11 @@ class GlintRenderEngine(bpy.types.RenderEngine):
 
     @staticmethod
     def _keep(file):
-        """Copies the scene's file to where it stays."""
-        kept, name = tempfile.mkstemp(prefix="glint-failed-", suffix=os.path.splitext(file)[1])
-        os.close(kept)
-        shutil.copyfile(file, name)
-        return name
+        """Copies the scene's file, and those of its meshes, to where they stay."""
+        folder, meshes = tempfile.mkdtemp(prefix="glint-failed-"), os.path.join(os.path.dirname(file), "meshes")
+        if os.path.isdir(meshes):
+            shutil.copytree(meshes, os.path.join(folder, "meshes"))
+        return shutil.copy(file, folder)
 
 
 classes = (GlintRenderEngine,)

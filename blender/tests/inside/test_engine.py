@@ -2,6 +2,7 @@
 """F12: the picture of the engine is glint's, also of a border, of every frame, and layer by layer."""
 import os
 import re
+import shutil
 import stat
 import time
 import unittest.mock
@@ -176,12 +177,16 @@ class Engine(SceneTest):
 
     def test_a_crash_is_named_and_the_scene_kept(self):
         self.fake("kill -SEGV $$\n")
+        modifier = bpy.context.scene.objects["Suzanne"].modifiers.new("subdivision", "SUBSURF")
+        modifier.levels = modifier.render_levels = 2
         with self.assertRaisesRegex(RuntimeError, "signal SIGSEGV. The scene is kept in (.*glint)") as caught:
             bpy.ops.render.render()
         kept = re.search(r"kept in (\S+\.glint)", str(caught.exception))[1]
-        self.addCleanup(os.remove, kept)
+        self.addCleanup(shutil.rmtree, os.path.dirname(kept))
         with open(kept, encoding="utf-8") as file:
-            self.assertIn("camera {", file.read())
+            self.assertIn(".ply", file.read())
+        # It can be rendered, with its meshes.
+        self.glint("render", kept, "-o", self.path("kept.png"))
 
     def test_messages_do_not_name_the_temporary_folder(self):
         self.fake('echo "$2:3:4: error: expected a number" >&2\nexit 2\n')
