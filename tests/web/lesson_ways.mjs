@@ -84,4 +84,10 @@ export const ways = {
             near: ['replace intensity = 0.1 => intensity = 0.9', 'replace radius = 0.2 => radius = 0.02']},
         {right: ['replace diffuse = 0.05 => diffuse = 1', 'replace diffuse = 0.05 => diffuse = 0.6', 'replace diffuse = 0.05 => diffuse = 0.7  specular = 0.3'], near: ['replace intensity = 0.1 => intensity = 0.5', 'replace diffuse = 0.05 => diffuse = 0.1']},
     ],
+    '13_a_bug_by_its_log': [
+        {right: ['pin 0.5021,0.1139', 'pin 0.501,0.112', 'pin 0.504,0.116'], near: ['pin 0.5646,0.4194', 'pin 0.1,0.1']},
+        {right: ['pin 0.5646,0.4194', 'pin 0.5354,0.3806', 'pin 0.5021,0.3361'], near: ['pin 0.5021,0.1139', 'pin 0.1,0.1']},
+        {right: ['replace shading = blinn-phong => shading = phong', 'replace shading = blinn-phong  => shading = phong  aa = 1  ', 'replace   shading = blinn-phong => \n  shading = phong'],
+            near: ['replace shininess = 40 => shininess = 160', 'replace shading = blinn-phong => shading = diffuse', 'replace specular_color = (0.6, 0.6, 0.6) => specular_color = (0.3, 0.3, 0.3)']},
+    ],
 };
