@@ -1,35 +1,66 @@
 # SPDX-License-Identifier: Apache-2.0
 """The glint command: where it is, what it says, and a run of it that can be watched and stopped. Pure Python."""
 import os
+import platform
 import re
 import shutil
 import signal
+import stat
 import subprocess
+import sys
 import threading
 
-NOT_FOUND = ("The glint command was not found. Take it from a release of glint, and set its path in Edit > Preferences > "
-             "Add-ons > glint, or put it into PATH, or set the environment variable GLINT")
+NOT_FOUND = ("The glint command was not found. Install the add-on's zip for Linux or Windows, which has it; or take it from a "
+             "release of glint, and set its path in Edit > Preferences > Add-ons > glint, or put it into PATH")
+# Where the add-on's zip for a platform has its program (blender/package.py).
+PROGRAMS = {("linux", "x86_64"): "program/bin/glint", ("win32", "amd64"): "program/glint.exe"}
 OLDEST = (0, 3)  # the version whose language the add-on writes
 _ESCAPE = re.compile(r"\x1b\[[0-9;]*[A-Za-z]")
 _PERCENT = re.compile(r"(\d{1,3})%")
+_NO_WINDOW = getattr(subprocess, "CREATE_NO_WINDOW", 0)  # Windows would open a console
+
+
+def _can_run(path):
+    return os.path.isfile(path) and os.access(path, os.X_OK)
+
+
+def own_program():
+    """Where the add-on has glint for this machine, whether it is there or not; None for a machine that no zip is for."""
+    name = PROGRAMS.get((sys.platform, platform.machine().lower()))
+    return os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), name)) if name else None
+
+
+def _usable_own_program():
+    """own_program() if it can be run. Blender unpacks a zip without the permission to run files, so it is given here."""
+    path = own_program()
+    if path is None or not os.path.isfile(path):
+        return None
+    if not os.access(path, os.X_OK):
+        try:
+            mode = stat.S_IMODE(os.stat(path).st_mode)
+            os.chmod(path, mode | (mode & 0o444) >> 2)
+        except OSError:
+            return None
+    return path if os.access(path, os.X_OK) else None
 
 
 def find(preference=""):
-    """The path of glint: the preference, else PATH, else $GLINT. None if there is none that can be run."""
+    """The path of glint: the preference, else the add-on's own, else PATH, else $GLINT. None if there is none that can be run."""
     if preference:
         path = os.path.expanduser(preference)
-        return path if os.path.isfile(path) and os.access(path, os.X_OK) else None
-    found = shutil.which("glint")
+        return path if _can_run(path) else None
+    found = _usable_own_program() or shutil.which("glint")
     if found:
         return found
     path = os.environ.get("GLINT", "")
-    return path if path and os.path.isfile(path) and os.access(path, os.X_OK) else None
+    return path if path and _can_run(path) else None
 
 
 def version(path):
     """What `glint --version` prints, on one line. Raises OSError if it cannot be run or is not glint."""
     try:
-        run = subprocess.run([path, "--version"], capture_output=True, text=True, timeout=10, check=False)
+        run = subprocess.run([path, "--version"], capture_output=True, text=True, timeout=10, check=False,
+                             creationflags=_NO_WINDOW)
     except subprocess.TimeoutExpired:
         raise OSError(f"{path} --version did not end within 10 s") from None
     line = run.stdout.strip().splitlines()[0] if run.stdout.strip() else ""
@@ -40,8 +71,13 @@ def version(path):
 
 def not_found_text(preference):
     """What to say if find() has found nothing."""
-    return (f"The glint command of the preferences, {preference}, is no program that can be run (Edit > Preferences > "
-            "Add-ons > glint)" if preference else NOT_FOUND)
+    if preference:
+        return (f"The glint command of the preferences, {preference}, is no program that can be run (Edit > Preferences > "
+                "Add-ons > glint)")
+    path = own_program()
+    if path is not None and os.path.isfile(path):
+        return f"The glint command of the add-on, {path}, cannot be run: this file may not be made executable"
+    return NOT_FOUND
 
 
 _checked = {}  # (path, time of change): the fault, or None
@@ -83,7 +119,7 @@ class Run:
         try:
             # pylint: disable=consider-using-with
             self._process = subprocess.Popen(arguments, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                                             stderr=writing, env=environment)
+                                             stderr=writing, env=environment, creationflags=_NO_WINDOW)
         except OSError:
             os.close(self._reading)
             raise

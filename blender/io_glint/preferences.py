@@ -21,13 +21,14 @@ class GlintPreferences(bpy.types.AddonPreferences):
     bl_idname = __package__
 
     glint_path: StringProperty(name="glint", subtype="FILE_PATH",
-                               description="The glint command; empty: the one in PATH, else in the variable GLINT")
+                               description="The glint command; empty: the add-on's own, else the one in PATH, else in the "
+                               "variable GLINT")
 
     def draw(self, _context):
         self.layout.prop(self, "glint_path")
         path = glint_path()
         row = self.layout.row()
-        row.label(text=f"Used: {path}" if path else "No glint: set its path, or put it into PATH",
+        row.label(text=f"Used: {path}" if path else "No glint: set its path, or install the zip that has it",
                   icon="CHECKMARK" if path else "ERROR")
         row.operator("glint.find")
 

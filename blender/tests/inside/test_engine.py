@@ -165,7 +165,7 @@ class Engine(SceneTest):
                 operator()
         preferences.glint_path = ""
         with unittest.mock.patch.dict(os.environ, {"GLINT": "", "PATH": "/nowhere"}):
-            with self.assertRaisesRegex(RuntimeError, "The glint command was not found. Take it from a release"):
+            with self.assertRaisesRegex(RuntimeError, "The glint command was not found. Install the add-on's zip"):
                 bpy.ops.render.render()
 
     def test_an_old_glint_is_named(self):

@@ -2,7 +2,9 @@
 """The glint command: found, run, watched and stopped; its OpenEXR files read."""
 import math
 import os
+import platform
 import stat
+import sys
 import tempfile
 import time
 import types
@@ -45,6 +47,50 @@ class Find(unittest.TestCase):
             self.assertIsNone(command.find("/nowhere/glint"))
         with mock.patch.dict(os.environ, PATH="/nowhere", GLINT=self.folder):
             self.assertIsNone(command.find())
+
+    def own_program(self, mode, text="echo glint 9.9\n"):
+        """Puts a program where the add-on's zip has it."""
+        path = self.script("own", text)
+        os.chmod(path, mode)
+        for mocked in (mock.patch.dict(command.PROGRAMS, {(sys.platform, platform.machine().lower()): path}),
+                       mock.patch.dict(os.environ, PATH=self.folder, GLINT="")):
+            mocked.start()
+            self.addCleanup(mocked.stop)
+        return path
+
+    def test_the_add_ons_own_precedes_path(self):
+        own, in_path = self.own_program(0o755), self.script("glint", "echo glint 1\n")
+        self.assertEqual(command.find(), own)
+        self.assertEqual(command.find(in_path), in_path)
+        os.unlink(own)
+        self.assertEqual(command.find(), in_path)
+
+    def test_the_add_ons_own_is_made_executable(self):
+        own = self.own_program(0o640)
+        self.assertEqual(command.find(), own)
+        self.assertEqual(stat.S_IMODE(os.stat(own).st_mode), 0o750)
+        self.assertEqual(command.version(own), "glint 9.9")
+
+    def test_the_add_ons_own_may_not_be_made_executable(self):
+        own = self.own_program(0o644)
+        with mock.patch.object(os, "chmod", side_effect=PermissionError):
+            self.assertIsNone(command.find())
+            self.assertEqual(command.not_found_text(""), f"The glint command of the add-on, {own}, cannot be run: this file may "
+                             "not be made executable")
+        in_path = self.script("glint", "echo glint 1\n")
+        with mock.patch.object(os, "chmod", side_effect=PermissionError):
+            self.assertEqual(command.find(), in_path)
+
+    def test_a_machine_that_no_zip_is_for(self):
+        self.own_program(0o755)
+        with mock.patch.object(platform, "machine", return_value="riscv64"):
+            self.assertIsNone(command.own_program())
+            self.assertIsNone(command.find())
+            self.assertEqual(command.not_found_text(""), command.NOT_FOUND)
+
+    def test_messages_are_for_users_of_blender(self):
+        for text in (command.NOT_FOUND, command.not_found_text("/nowhere")):
+            self.assertNotIn("make ", text)
 
     def test_version(self):
         self.assertEqual(command.version(self.script("a", "echo glint 9.9\n")), "glint 9.9")
