@@ -19,8 +19,8 @@ def collection_of(scene, wanted=""):
     return known.get(COURSE_COLLECTION) or (known[copies[0]] if copies else None)
 
 
-def messages(scene, collection):
-    """(item, text) of each thing that the course's script or page would take otherwise."""
+def messages(scene, collection, selection=None):
+    """(item, text) of each thing that the course's script or page would take otherwise. selection: as in Options."""
     if collection is None:
         return []
     found = []
@@ -29,6 +29,8 @@ def messages(scene, collection):
     inside = set(collection.all_objects)
     for ob in scene.objects:
         if ob.type not in ("LIGHT", "MESH", "CURVE", "SURFACE", "META", "FONT") or ob.hide_render:
+            continue
+        if selection is not None and ob.as_pointer() not in selection:
             continue
         item = describe(ob) if ob.type == "LIGHT" else f"object '{ob.name}'"
         if ob not in inside:

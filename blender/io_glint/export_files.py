@@ -31,7 +31,7 @@ def export_text(context, options, evaluation, as_rt2, report, mesh_files=None):
             report.warn(f"scene '{scene.name}'", "a scene's text has no render region; its part is --crop {}x{}+{}+{}"
                         .format(*crop))
         if as_rt2:
-            for item, text in messages(scene, collection):
+            for item, text in messages(scene, collection, options.selection):
                 report.warn(item, text)
             return with_depsgraph(context, evaluation, lambda depsgraph: rt2_text(RT2Scene(
                 depsgraph, options, report, bpy.data.materials.get, collection)))
@@ -40,6 +40,15 @@ def export_text(context, options, evaluation, as_rt2, report, mesh_files=None):
     finally:
         if scene.camera != chosen:
             scene.camera = chosen
+
+
+def selection_of(context):
+    """The selected objects, as Options.selection has them. Raises ValueError if there are none."""
+    layer = context.view_layer
+    pointers = frozenset(ob.as_pointer() for ob in layer.objects if ob.select_get(view_layer=layer))
+    if not pointers:
+        raise ValueError("No object is selected: select what to export, or turn Selected Objects off")
+    return pointers
 
 
 def mesh_files_of(path):

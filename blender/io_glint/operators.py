@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """File > Export > glint (.glint) and > RT2 (.json)."""
 import os
+from dataclasses import replace
 
 import bpy
 from bpy.props import BoolProperty, EnumProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper
 
 from .export.camera import CameraError
-from .export_files import export_animation, export_file
+from .export_files import export_animation, export_file, selection_of
 from .properties import draw_settings
 
 EVALUATIONS = (
@@ -23,6 +24,8 @@ class _Export(ExportHelper):
     check_extension = None  # a path is taken as it is given
 
     evaluation: EnumProperty(name="Evaluate", items=EVALUATIONS, default="RENDER")
+    use_selection: BoolProperty(name="Selected Objects", default=False,
+                                description="Export the selected shapes and lights only, with the scene's camera")
     animation: BoolProperty(name="Animation", default=False,
                             description="One file for each frame, NAME.0001.glint, and a script that renders them")
 
@@ -35,8 +38,10 @@ class _Export(ExportHelper):
             path += self.filename_ext
         if context.mode != "OBJECT" and context.object is not None:
             context.object.update_from_editmode()
-        arguments = (context, path, options, self.evaluation, as_rt2, getattr(self, "mesh_files", False))
         try:
+            if self.use_selection:
+                options = replace(options, selection=selection_of(context))
+            arguments = (context, path, options, self.evaluation, as_rt2, getattr(self, "mesh_files", False))
             if self.animation:
                 report, paths = export_animation(*arguments)
                 done = f"{len(paths)} frames, {paths[0]} and so on" if paths else "no frames"
@@ -73,7 +78,7 @@ class EXPORT_SCENE_OT_glint(bpy.types.Operator, _Export):
     def draw(self, context):
         layout = self.layout
         layout.use_property_split = True
-        for name in ("format", "evaluation", "animation", "mesh_files"):
+        for name in ("format", "use_selection", "evaluation", "animation", "mesh_files"):
             layout.prop(self, name)
         draw_settings(layout, context.scene)
 

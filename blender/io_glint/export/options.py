@@ -18,4 +18,5 @@ class Options:
     light_scale: float = 1.0
     recognise: bool = True  # AUTO shapes; else all are meshes
     collection: str = ""  # RT2: its name; empty: scene_custom if there is one, else everything
+    selection: frozenset | None = None  # pointers of the original objects that are exported; None: all
     light_color: str = "color"  # RT2: color (the course's rule) or classical

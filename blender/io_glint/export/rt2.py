@@ -6,7 +6,7 @@ import math
 
 from . import camera, light, measure, mesh, rt2_material, shapes, walk, world
 from .material import MaterialTable
-from .scene import report_render_settings, shape_of, shape_setting
+from .scene import report_no_lights, report_render_settings, shape_of, shape_setting
 from .shape_text import compose
 from .vectors import cross, unit
 
@@ -144,8 +144,8 @@ class RT2Scene:
         return None
 
     def json(self):
-        seen = set()
-        for item in walk.items(self.depsgraph, self.report, lambda item: self._place(item) is not None):
+        seen, is_selected = set(), walk.is_in(self.options.selection)
+        for item in walk.items(self.depsgraph, self.report, lambda item: self._place(item) is not None and is_selected(item)):
             place = self._place(item)
             seen.update(ob.original.as_pointer() for ob in (item.ob, item.holder) if ob is not None)
             if not all(abs(v) <= mesh.MAX_COORDINATE for row in item.matrix for v in row):
@@ -156,6 +156,8 @@ class RT2Scene:
                 self._add_object(item, place)
         self._report_hidden(seen)
         report_render_settings(self.scene, self.report)
+        if self.options.selection is not None and not self.found["lights"]:
+            report_no_lights(self.scene, self.report)
         lists = {name: [entry for _, entry in sorted(entries, key=lambda e: e[0])]
                  for name, entries in self.found.items()}
         return {"name": (self.collection or self.depsgraph.scene).name, "camera": self._camera_entry(),
@@ -163,6 +165,8 @@ class RT2Scene:
 
     def _report_hidden(self, seen):
         for ob in self.collection.all_objects if self.collection else ():
+            if self.options.selection is not None and ob.as_pointer() not in self.options.selection:
+                continue
             if ob.as_pointer() not in seen and ob.type in (*walk.GEOMETRY, "LIGHT"):
                 self.report.warn(f"object '{ob.name}'", "left out: a render does not show it")
 

@@ -54,7 +54,7 @@ class SceneText:
         self._meshes, self._lights, self._chunks = mesh.MeshCache(), [], []
 
     def text(self):
-        for item in walk.items(self.depsgraph, self.report):
+        for item in walk.items(self.depsgraph, self.report, walk.is_in(self.options.selection)):
             if self.is_stopped():
                 raise Stopped
             if item.ob.type == "LIGHT":
@@ -65,6 +65,8 @@ class SceneText:
             else:
                 self._add_object(item)
         report_render_settings(self.scene, self.report)
+        if self.options.selection is not None and not self._lights:
+            report_no_lights(self.scene, self.report)
         sky = list(self._sky())
         if self.table.has_ambient:
             self._lights.insert(0, light.ambient_block())
@@ -172,6 +174,10 @@ def report_render_settings(scene, report):
         report.warn(item, "motion blur is ignored")
     if render.use_freestyle:
         report.warn(item, "Freestyle lines are ignored")
+
+
+def report_no_lights(scene, report):
+    report.warn(f"scene '{scene.name}'", "no light is selected, so none is exported")
 
 
 def write(scene_text):

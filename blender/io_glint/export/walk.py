@@ -44,6 +44,13 @@ def deforms(ob):
     return any(m.type in DEFORMING and (m.show_render or m.show_viewport) for m in original.modifiers)
 
 
+def is_in(selection):
+    """What items() may want: an object whose original is one of these pointers, or what it instances; None: everything."""
+    if selection is None:
+        return lambda item: True
+    return lambda item: (item.holder or item.ob).original.as_pointer() in selection
+
+
 def items(depsgraph, report, wanted=lambda item: True):
     """Yields the Items of all lights and of all surfaces that the camera sees; reports what glint cannot show.
 
