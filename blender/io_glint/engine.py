@@ -15,6 +15,7 @@ from .export.mesh_file import MeshFiles
 from .export.rt2 import RT2Scene, rt2_text
 from .export.scene import SceneText, Stopped, write
 from .preferences import glint_path, wanted_path
+from .render_files import extra_arguments, kept_name
 
 POLL = 0.02  # seconds
 
@@ -62,6 +63,7 @@ class GlintRenderEngine(bpy.types.RenderEngine):
             raise RenderFailed(fault)
         self.update_stats("", "glint: writing the scene")
         scene = depsgraph.scene_eval
+        more = extra_arguments(scene.glint.extra_arguments)
         written, file, options = self._write(depsgraph, folder, report)
         layers = passes.wanted(depsgraph.view_layer_eval)
         crop = camera.border(scene.render)
@@ -73,7 +75,7 @@ class GlintRenderEngine(bpy.types.RenderEngine):
             arguments += ["--aov", ",".join(layers)]
         if scene.render.threads_mode == "FIXED":
             arguments += ["--threads", str(scene.render.threads)]
-        if not self._run(arguments, file, report):
+        if not self._run([*arguments, *more], file, report, is_kept=bool(scene.glint.keep_folder)):
             return
         found = {}
         if layers:
@@ -100,11 +102,14 @@ class GlintRenderEngine(bpy.types.RenderEngine):
     def _write(self, depsgraph, folder, report):
         """Writes the scene. (what was written, its file, options of `glint render`)"""
         scene = depsgraph.scene_eval
-        settings = scene.glint
+        settings, name = scene.glint, "scene"
+        if settings.keep_folder:
+            folder, name = bpy.path.abspath(settings.keep_folder), kept_name(scene, depsgraph.view_layer_eval)
+            os.makedirs(folder, exist_ok=True)
         if settings.picture == "BLENDER":
             written = SceneText(depsgraph, settings.options(), report, bpy.data.materials.get, self._is_stopped,
                                 MeshFiles(os.path.join(folder, "meshes"), "meshes"))
-            file = os.path.join(folder, "scene.glint")
+            file = os.path.join(folder, f"{name}.glint")
             write_text(file, write(written))
             return written, file, []
         original = depsgraph.scene
@@ -112,7 +117,7 @@ class GlintRenderEngine(bpy.types.RenderEngine):
         for item, text in messages(original, collection):
             report.warn(item, text)
         written = RT2Scene(depsgraph, settings.options(), report, bpy.data.materials.get, collection)
-        file = os.path.join(folder, "scene.json")
+        file = os.path.join(folder, f"{name}.json")
         write_text(file, rt2_text(written))
         options = ["--size", "{}x{}".format(*camera.picture_size(scene.render)), "--aa", str(settings.rt2_aa),
                    "--shading", settings.shading]
@@ -124,7 +129,7 @@ class GlintRenderEngine(bpy.types.RenderEngine):
         """Whether the user pressed Esc."""
         return self.test_break()
 
-    def _run(self, arguments, file, report):
+    def _run(self, arguments, file, report, is_kept):
         """Runs glint to its end; false if the user stopped it."""
         try:
             run = command.Run(arguments)
@@ -146,7 +151,7 @@ class GlintRenderEngine(bpy.types.RenderEngine):
             report.warn("glint", warning.rpartition("warning: ")[2])
         if code:
             raise RenderFailed(f"{errors[0] if errors else ': '.join([command.exit_text(code), *lines[-3:]])}. The "
-                               f"scene is kept in {self._keep(file)}")
+                               f"scene is kept in {file if is_kept else self._keep(file)}")
         return True
 
     @staticmethod

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Settings that are kept in the .blend: the scene's conventions and an object's glint_shape."""
 import bpy
-from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty
+from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, PointerProperty, StringProperty
 
 from .course_scene import collection_of, messages
 from .export.options import Options
@@ -17,7 +17,8 @@ SHAPE_ITEMS = (
     ("BOX", "Box", "The mesh's bounding box in the object's space"),
 )
 
-# In the order of the panel.
+# In the order of the panels.
+COMMAND_SETTINGS = ("keep_folder", "extra_arguments")
 SCENE_SETTINGS = ("shading", "reflections", "aa", "adaptive", "light_samples", "light_scale", "mist", "occlusion",
                   "facing", "fresnel", "glass_shadow", "recognise")
 
@@ -68,6 +69,13 @@ class GlintSceneSettings(bpy.types.PropertyGroup):
                             description="Shapes block the world's light (ambient occlusion); else it is the same everywhere")
     recognise: BoolProperty(name="Recognise shapes", default=Options.recognise,
                             description="Export smooth balls, tubes and boxes as glint's own shapes")
+
+    # Of F12 alone.
+    keep_folder: StringProperty(name="Keep scene in", subtype="DIR_PATH",
+                                description="Folder in which each render leaves its scene, SCENE.0001.glint and so on; empty: "
+                                "none is kept")
+    extra_arguments: StringProperty(name="Arguments", description="More arguments of `glint render`, as --seed 3 --no-shadows; "
+                                    "quoted as in a shell")
 
     def options(self, **more):
         return Options(**{name: getattr(self, name) for name in SCENE_SETTINGS}, **more)

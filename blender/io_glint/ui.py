@@ -5,7 +5,7 @@ from bpy.props import BoolProperty, StringProperty
 
 from .export import keys
 from .passes import BUILT_IN, OWN
-from .properties import draw_rt2_settings, draw_settings
+from .properties import COMMAND_SETTINGS, draw_rt2_settings, draw_settings
 
 # Panels of what glint has not, or has a panel of its own for.
 EXCLUDED = {"DATA_PT_light", "VIEWLAYER_PT_filter", "VIEWLAYER_PT_layer_passes", "RENDER_PT_gpencil",
@@ -32,6 +32,15 @@ class RENDER_PT_glint(_Panel, bpy.types.Panel):
         self.layout.prop(context.scene.glint, "picture")
         draw = draw_rt2_settings if context.scene.glint.picture == "RT2" else draw_settings
         draw(self.layout, context.scene)
+
+
+class RENDER_PT_glint_command(_Panel, bpy.types.Panel):
+    bl_label, bl_context, bl_parent_id, bl_options = "Command", "render", "RENDER_PT_glint", {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        for name in COMMAND_SETTINGS:
+            self.layout.prop(context.scene.glint, name)
 
 
 class OBJECT_PT_glint(_Panel, bpy.types.Panel):
@@ -144,7 +153,7 @@ def _compatible_panels():
             yield panel
 
 
-classes = (RENDER_PT_glint, OBJECT_PT_glint, MATERIAL_PT_glint, GLINT_OT_material_key, GlintLayerSettings,
+classes = (RENDER_PT_glint, RENDER_PT_glint_command, OBJECT_PT_glint, MATERIAL_PT_glint, GLINT_OT_material_key, GlintLayerSettings,
            VIEWLAYER_PT_glint_passes)
 
 
