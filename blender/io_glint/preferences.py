@@ -4,6 +4,7 @@ import bpy
 from bpy.props import StringProperty
 
 from . import command
+from .labels import draw_sentence
 
 
 def wanted_path():
@@ -27,10 +28,9 @@ class GlintPreferences(bpy.types.AddonPreferences):
     def draw(self, _context):
         self.layout.prop(self, "glint_path")
         path = glint_path()
-        row = self.layout.row()
-        row.label(text=f"Used: {path}" if path else "No glint: set its path, or install the zip that has it",
-                  icon="CHECKMARK" if path else "ERROR")
-        row.operator("glint.find")
+        draw_sentence(self.layout, f"Used: {path}" if path else "No glint: set its path, or install the zip that has it",
+                      icon="CHECKMARK" if path else "ERROR")
+        self.layout.operator("glint.find")
 
 
 class GLINT_OT_find(bpy.types.Operator):

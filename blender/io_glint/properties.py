@@ -5,6 +5,7 @@ from bpy.props import BoolProperty, EnumProperty, FloatProperty, IntProperty, Po
 
 from .course_scene import collection_of, messages
 from .export.options import Options
+from .labels import draw_sentence
 
 SHAPE_ITEMS = (
     ("AUTO", "Auto", "A sphere, cylinder, cone, disc or box if the mesh is one; else triangles"),
@@ -86,9 +87,9 @@ def draw_rt2_settings(layout, scene):
     for name in ("shading", "reflections", "rt2_aa"):
         layout.prop(scene.glint, name)
     if scene.view_settings.view_transform != "Raw":
-        layout.label(text="View Transform: Raw shows the homework's numbers", icon="INFO")
+        draw_sentence(layout, "View Transform: Raw shows the homework's numbers", icon="INFO")
     for item, text in messages(scene, collection_of(scene)):
-        layout.label(text=f"{item}: {text}", icon="ERROR")
+        draw_sentence(layout, f"{item}: {text}", icon="ERROR")
 
 
 def draw_settings(layout, scene):

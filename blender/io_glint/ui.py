@@ -4,6 +4,7 @@ import bpy
 from bpy.props import BoolProperty, StringProperty
 
 from .export import keys
+from .labels import draw_sentence
 from .passes import BUILT_IN, OWN
 from .properties import COMMAND_SETTINGS, draw_rt2_settings, draw_settings
 
@@ -65,7 +66,7 @@ class MATERIAL_PT_glint(_Panel, bpy.types.Panel):
     def draw(self, context):
         layout, material = self.layout, context.material
         layout.use_property_split = True
-        layout.label(text="Each key replaces what the shader nodes say")
+        draw_sentence(layout, "Each key replaces what the shader nodes say")
         for name in keys.NAMES:
             key = keys.PREFIX + name
             row = layout.row(align=True)
