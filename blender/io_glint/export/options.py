@@ -19,3 +19,8 @@ class Options:
     recognise: bool = True  # AUTO shapes; else all are meshes
     collection: str = ""  # RT2: its name; empty: scene_custom if there is one, else everything
     light_color: str = "color"  # RT2: color (the course's rule) or classical
+
+    @property
+    def samples(self):
+        """As `glint render --aa` takes it."""
+        return f"adaptive:{self.aa}" if self.adaptive and self.aa > 1 else str(self.aa)
