@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The render engine "glint": F12 and animations by the glint command."""
+"""The render engine "glint": F12 and animations by the glint command, viewports by glint's Python package."""
 import os
 import shutil
 import tempfile
 
 import bpy
 
-from . import command, exr, passes
+from . import command, exr, passes, python_module
 from .course_scene import collection_of, messages
 from .export import camera
 from .export.files import write_text
@@ -16,6 +16,7 @@ from .export.rt2 import RT2Scene, rt2_text
 from .export.scene import SceneText, Stopped, write
 from .preferences import glint_path, wanted_path
 from .render_files import extra_arguments, kept_name
+from .viewport import Viewport, viewports
 
 POLL = 0.02  # seconds
 
@@ -27,12 +28,33 @@ class RenderFailed(Exception):
 class GlintRenderEngine(bpy.types.RenderEngine):
     bl_idname = "GLINT"
     bl_label = "glint"
-    bl_use_preview = False
+    bl_use_preview = True
     bl_use_postprocess = True
-    bl_use_eevee_viewport = True
+    bl_use_eevee_viewport = True  # the viewport shading Material Preview is Eevee's
+    _viewport = None
 
     def __init__(self, *args, **kwargs):
         super().__init__(*args, **kwargs)  # needed from 4.4
+
+    def __del__(self):
+        if self._viewport is not None:
+            self._viewport.close()
+
+    def view_update(self, context, depsgraph):
+        module, fault = python_module.find()
+        if module is None:
+            self.update_stats("glint", fault)
+            return
+        if self._viewport is None:
+            self._viewport = Viewport(self, module)
+        try:
+            self._viewport.update(context, depsgraph)
+        except camera.CameraError as error:
+            self.update_stats("glint", str(error))
+
+    def view_draw(self, context, depsgraph):
+        if self._viewport is not None:
+            self._viewport.draw(context, depsgraph)
 
     def update_render_passes(self, scene=None, renderlayer=None):
         self.register_pass(scene, renderlayer, "Combined", 4, "RGBA", "COLOR")
@@ -41,8 +63,6 @@ class GlintRenderEngine(bpy.types.RenderEngine):
             self.register_pass(scene, renderlayer, name, len(channels), channels, kind)
 
     def render(self, depsgraph):
-        if self.is_preview:
-            return
         report = Report()
         try:
             with tempfile.TemporaryDirectory(prefix="glint-") as folder:
@@ -50,10 +70,16 @@ class GlintRenderEngine(bpy.types.RenderEngine):
         except Stopped:
             pass
         except (RenderFailed, camera.CameraError, OSError, exr.ExrError, RuntimeError) as error:
-            self.error_set(f"glint: {error}")  # stops an animation
-            self.report({"ERROR"}, f"glint: {error}")
+            self._say_error(f"glint: {error}")
+        if self.is_preview:  # of a material or a world; its lights and its floor are Blender's
+            return
         for warning in report.warnings:
             self.report({"WARNING"}, warning if warning.startswith("glint: ") else f"glint: {warning}")
+
+    def _say_error(self, text):
+        if not self.is_preview:
+            self.error_set(text)  # stops an animation
+            self.report({"ERROR"}, text)
 
     def _render(self, depsgraph, folder, report):
         path = glint_path()
@@ -164,3 +190,8 @@ class GlintRenderEngine(bpy.types.RenderEngine):
 
 
 classes = (GlintRenderEngine,)
+
+
+def unregister():
+    for viewport in viewports():
+        viewport.close()

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """All tests of the add-on: blender/tests/run.py [PATTERN]. Those of the pure parts run in this Python; the others inside
 `blender -b` and, for the interface, under xvfb, with folders of their own for Blender's settings and add-ons. Without
-blender these are skipped. GLINT: the glint command; default build/release/glint. The last line is ctest's."""
+blender these are skipped. GLINT: the glint command; default build/release/glint. GLINT_MODULE: the extension module of glint's
+Python package; default that of build/release. The last line is ctest's."""
 import json
 import os
 import pathlib
@@ -24,12 +25,22 @@ def run_plain(pattern):
                                                             top_level_dir=HERE / "plain"))
 
 
+def make_package(folder, environment):
+    """glint's Python package as it is installed; without the extension module, the tests of viewports fail."""
+    found = environment.get("GLINT_MODULE") or next(ROOT.glob("build/release/python/glint/_glint.*"), None)
+    shutil.copytree(ROOT / "python/glint", f"{folder}/modules/glint")
+    if found:
+        shutil.copy(found, f"{folder}/modules/glint")
+    return f"{folder}/modules"
+
+
 def run_in_blender(command, script, pattern, environment):
     """Runs a script in Blender that writes its counts to $GLINT_TEST_COUNTS."""
     with tempfile.TemporaryDirectory(prefix="glint-blender-") as folder:
         counts = os.path.join(folder, "counts.json")
         environment = dict(environment, BLENDER_USER_SCRIPTS=f"{folder}/scripts", BLENDER_USER_CONFIG=f"{folder}/config",
-                           GLINT_TEST_COUNTS=counts, GLINT_TEST_PATTERN=pattern, GLINT_TEST_FOLDER=folder)
+                           GLINT_TEST_COUNTS=counts, GLINT_TEST_PATTERN=pattern, GLINT_TEST_FOLDER=folder,
+                           GLINT_TEST_MODULES=make_package(folder, environment))
         os.makedirs(f"{folder}/scripts/addons")
         try:
             run = subprocess.run([*command, "--factory-startup", "--python-exit-code", "3", "--python", str(HERE / script)],

@@ -8,7 +8,7 @@ import unittest
 import bpy
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE / "inside"), str(HERE.parent)]
+sys.path[:0] = [os.environ["GLINT_TEST_MODULES"], str(HERE), str(HERE / "inside"), str(HERE.parent)]
 
 import counting  # noqa: E402  pylint: disable=wrong-import-position
 import package  # noqa: E402  pylint: disable=wrong-import-position

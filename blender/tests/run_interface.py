@@ -9,7 +9,7 @@ import unittest
 import bpy
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE / "interface"), str(HERE.parent)]
+sys.path[:0] = [os.environ["GLINT_TEST_MODULES"], str(HERE), str(HERE / "interface"), str(HERE.parent)]
 
 import counting  # noqa: E402  pylint: disable=wrong-import-position
 import package  # noqa: E402  pylint: disable=wrong-import-position
@@ -29,4 +29,5 @@ def run():
     bpy.ops.wm.quit_blender()
 
 
+bpy.context.preferences.view.show_splash = False
 bpy.app.timers.register(run, first_interval=1.0)

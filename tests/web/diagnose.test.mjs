@@ -81,7 +81,7 @@ test('the first wrong quantity of a log is named as by the command, and its valu
     await own.locator('.space-frame').waitFor();
     await tree.getByRole('button', {name: 'The next wrong pixel'}).click();
     await page.locator('.pixel-line', {hasText: '(390, 300)'}).waitFor();
-    await clickPicture(page, 300.5 / 480, 225.5 / 480);
+    await clickPicture(page, 302.5 / 480, 223.5 / 480);  // on the mark's edge
     await page.locator('.inspector[data-pixel="300,225"]').waitFor();
     await page.getByRole('tab', {name: 'Compare'}).click();
     assert.equal(await tree.getAttribute('data-pixel'), '300,225');

@@ -136,6 +136,21 @@ def read(camera, scene, report):
                 (data.clip_start, data.clip_end))
 
 
+def of_viewport(view_matrix, window_matrix, size):
+    """The View of a 3D viewport: the axes by region_data.view_matrix, the frame by region_data.window_matrix, which is a
+    projection to -1 ... 1 (OpenGL's). size: the region's, in pixels. Nothing is clipped."""
+    axes, matrix = view_matrix.inverted().normalized(), window_matrix
+    perspective = matrix[3][3] == 0
+    edges = [[(side + matrix[i][2]) / matrix[i][i] if perspective else (side - matrix[i][3]) / matrix[i][i]
+              for side in (-1, 1)] for i in range(2)]
+    forward = tuple(-v for v in axes.col[2][:3])
+    # Blender shows what is behind an orthographic viewpoint, too: from the near plane on.
+    near = 0.0 if perspective else (matrix[2][3] + 1) / matrix[2][2]
+    position = _sum((1, tuple(axes.translation)), (near, forward))
+    return View("viewport", position, tuple(axes.col[0][:3]), tuple(axes.col[1][:3]), forward, perspective,
+                *edges[0], *edges[1], size, (-math.inf, math.inf))
+
+
 def _sum(*terms):
     return tuple(sum(factor * v[i] for factor, v in terms) for i in range(3))
 

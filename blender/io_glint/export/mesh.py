@@ -121,6 +121,11 @@ class MeshCache:
     def __init__(self):
         self._found, self._equal = {}, {}
 
+    def clear(self):
+        """To be called when an object has another mesh: Blender may put it where a mesh was that is gone."""
+        self._found.clear()
+        self._equal.clear()
+
     def of(self, ob):
         """None for an object without faces."""
         if ob.type != "MESH" or ob.data is None:

@@ -20,3 +20,8 @@ class Options:
     collection: str = ""  # RT2: its name; empty: scene_custom if there is one, else everything
     selection: frozenset | None = None  # pointers of the original objects that are exported; None: all
     light_color: str = "color"  # RT2: color (the course's rule) or classical
+
+    @property
+    def samples(self):
+        """As `glint render --aa` takes it."""
+        return f"adaptive:{self.aa}" if self.adaptive and self.aa > 1 else str(self.aa)

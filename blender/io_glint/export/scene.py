@@ -37,24 +37,29 @@ class Stopped(Exception):
 
 class SceneText:
     """Writes one depsgraph. is_stopped: asked before each object. mesh_files: a MeshFiles; None: all meshes are in the text.
+    view: a View in place of the scene's camera; meshes: a MeshCache that is kept; wanted: whether an Item is asked for, in place
+    of options.selection.
 
-    When text() has returned, object_indices has, for each of the scene's shapes, (its number of shapes, Blender's pass_index),
+    When parts() has returned, object_indices has, for each of the scene's shapes, (its number of shapes, Blender's pass_index),
     and material_indices the pass_index of each of the scene's materials."""
 
-    def __init__(self, depsgraph, options, report, find_material, is_stopped=lambda: False, mesh_files=None):
+    def __init__(self, depsgraph, options, report, find_material, is_stopped=lambda: False, mesh_files=None,
+                 view=None, meshes=None, wanted=None):
         self.is_stopped, self.object_indices, self.mesh_files = is_stopped, [], mesh_files
+        self._wanted = wanted or walk.is_in(options.selection)
         self.depsgraph, self.options, self.report = depsgraph, options, report
         self.scene = depsgraph.scene_eval if hasattr(depsgraph, "scene_eval") else depsgraph.scene
-        self.view = camera.read(_evaluated(depsgraph.scene.camera, depsgraph), self.scene, report)
+        self.view = view or camera.read(_evaluated(depsgraph.scene.camera, depsgraph), self.scene, report)
         self.background = world.radiance(self.scene.world, report)
         # The world lights surfaces by k_a, or by the block occlusion.
         ambient = phong.BLACK if options.occlusion else self.background
         self.table = material.MaterialTable(report, ambient, find_material, options.shading)
         self.focus = tuple(p + 10 * f for p, f in zip(self.view.position, self.view.forward))
-        self._meshes, self._lights, self._chunks = mesh.MeshCache(), [], []
+        self._meshes, self._lights, self._chunks = meshes or mesh.MeshCache(), [], []
 
-    def text(self):
-        for item in walk.items(self.depsgraph, self.report, walk.is_in(self.options.selection)):
+    def parts(self):
+        """(all but the shapes, the shapes): two texts that make the scene's."""
+        for item in walk.items(self.depsgraph, self.report, self._wanted):
             if self.is_stopped():
                 raise Stopped
             if item.ob.type == "LIGHT":
@@ -70,8 +75,8 @@ class SceneText:
         sky = list(self._sky())
         if self.table.has_ambient:
             self._lights.insert(0, light.ambient_block())
-        parts = [*self._head(), *sky, *self._lights, "", *self.table.blocks(), "", *self._chunks]
-        return "\n".join(parts) + "\n"
+        head = [*self._head(), *sky, *self._lights, "", *self.table.blocks(), ""]
+        return "\n".join(head) + "\n", "\n".join(self._chunks) + "\n"
 
     def _head(self):
         options, (width, height) = self.options, self.view.size
@@ -80,7 +85,7 @@ class SceneText:
             yield text.comment(warning)
         yield (f"conventions {{ facing = {options.facing}  fresnel = {options.fresnel}  "
                f"glass_shadow = {options.glass_shadow}  clamp_attenuation = false }}")
-        aa = text.string(f"adaptive:{options.aa}") if options.adaptive and options.aa > 1 else options.aa
+        aa = options.samples if options.samples.isdigit() else text.string(options.samples)
         alpha = "  alpha = true" if self.scene.render.film_transparent else ""
         yield (f"render {{ size = {width} x {height}  shading = {options.shading}  "
                f"reflections = {self._reflections()}  aa = {aa}{alpha} }}")
@@ -182,10 +187,15 @@ def report_no_lights(scene, report):
 
 def write(scene_text):
     """The text of a SceneText."""
+    return "".join(write_parts(scene_text))
+
+
+def write_parts(scene_text):
+    """SceneText.parts(), faster."""
     collecting = gc.isenabled()
     gc.disable()  # millions of tuples without cycles: collections would take as long as the export
     try:
-        return scene_text.text()
+        return scene_text.parts()
     finally:
         if collecting:
             gc.enable()

@@ -49,6 +49,29 @@ export function mirrored([x, y]: readonly [number, number]): [number, number] {
     return found && typeof found !== 'string' && found.rows_from_bottom ? [x, logSize()[1]! - 1 - y] : [x, y];
 }
 
+/** A log of so many pixels is of the whole picture, or of a part of it. */
+const mostMarks = 500;
+
+/** Whether the picture shows which pixels are in the log: beside its panel; those of a lesson's log beside the lesson, too. */
+export function areLogPixelsMarked() {
+    const log = ownLog.value;
+    return log !== null && (tab.value === 'compare' || (log.isOfTask && tab.value === 'learn')) && isLogOfPicture() && loggedPixels.value.size <= mostMarks;
+}
+
+/** Of the marks, in pixels of the picture. */
+export const markRadius = () => size.value.width / 220;
+
+/** The pixel of the log whose mark is at this pixel; without one, the pixel itself. */
+export function markedPixel(pixel: [number, number] | null): [number, number] | null {
+    if (!pixel || !areLogPixelsMarked()) return pixel;
+    let nearest = pixel, least = markRadius() + 1;
+    for (const {at} of loggedPixels.value.values()) {
+        const mark = mirrored(at), distance = Math.hypot(mark[0] - pixel[0], mark[1] - pixel[1]);
+        if (distance < least) [nearest, least] = [mark, distance];
+    }
+    return nearest;
+}
+
 /** Shows the values of a pixel of the log, and selects it in the picture. */
 export function choosePixel(at: readonly [number, number]) {
     chosen.value = at.join();

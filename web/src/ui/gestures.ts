@@ -5,6 +5,7 @@ import {useEffect, useRef} from 'preact/hooks';
 
 import {type Move, dot, moved, sub} from '../camera';
 import {allows, embedded} from '../store/embedded';
+import {markedPixel} from '../store/own_log';
 import {hover, pin} from '../store/pixels';
 import {hovered, info, pinned, pixel, services, size} from '../store/state';
 import {cameraNow, moveCamera} from '../store/viewpoint';
@@ -103,7 +104,7 @@ export function usePointers(frame: Frame) {
         onPointerUp(event: PointerEvent) {
             const now = gesture.current;
             end(event);
-            if (now && now.kind !== 'pinch' && !now.moved && event.button === 0 && allows('inspect')) void pin(at(event));
+            if (now && now.kind !== 'pinch' && !now.moved && event.button === 0 && allows('inspect')) void pin(markedPixel(at(event)));
         },
         onPointerCancel: end,
         onPointerLeave() {

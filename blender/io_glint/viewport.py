@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A 3D viewport in rendered mode: what changes in Blender is asked of a painter, and its picture is drawn."""
+import os
+import re
+import tempfile
+import weakref
+
+import bpy
+import gpu
+from gpu_extras.presets import draw_texture_2d
+
+from .course_scene import collection_of
+from .export import camera, mesh
+from .export.mesh_file import MeshFiles
+from .export.report import Report
+from .export.rt2 import RT2Scene, rt2_text
+from .export.scene import SceneText, write_parts
+from .viewport_painter import Painter, Wanted, Written
+
+REST = 0.002  # seconds between two steps, for the user's events
+_open = weakref.WeakSet()
+
+
+class Viewport:
+    """The picture of one viewport; the engine owns it, and closes it."""
+
+    def __init__(self, engine, glint):
+        self._engine, self.painter, self._timer = weakref.ref(engine), Painter(glint), self._refine
+        self._folder = tempfile.TemporaryDirectory(prefix="glint-viewport-")  # pylint: disable=consider-using-with
+        self._meshes, self._written, self._wanted = mesh.MeshCache(), None, None
+        self._texture, self._is_changed = None, True  # is_changed: the painter has more than the texture
+        _open.add(self)
+
+    def close(self):
+        _open.discard(self)
+        if bpy.app.timers.is_registered(self._timer):
+            bpy.app.timers.unregister(self._timer)
+        self._folder.cleanup()
+
+    def update(self, context, depsgraph):
+        """Blender's data have changed; it draws afterwards."""
+        if any(update.is_updated_geometry for update in depsgraph.updates):
+            self._meshes.clear()
+        scene = depsgraph.scene_eval
+        name = os.path.join(self._folder.name, "viewport")
+        if scene.glint.picture == "RT2":
+            written = RT2Scene(depsgraph, scene.glint.options(), Report(), bpy.data.materials.get, collection_of(depsgraph.scene))
+            self._written = Written(rt2_text(written), None, "epfl", name + ".json")
+        else:
+            space = context.space_data
+            written = SceneText(depsgraph, scene.glint.options(), Report(), bpy.data.materials.get,
+                                mesh_files=MeshFiles(os.path.join(self._folder.name, "meshes"), "meshes"), view=_view_of(context),
+                                meshes=self._meshes, wanted=lambda item: _is_shown(item, space))
+            head, shapes = write_parts(written)
+            self._written = Written(head, shapes, "glint", name + ".glint")
+            self._remove_files(shapes)
+
+    def draw(self, context, depsgraph):
+        """Blender draws the viewport: when its view has changed, too."""
+        scene, region = depsgraph.scene_eval, context.region
+        if self._written is None:
+            return
+        painter, engine = self.painter, self._engine()
+        if self._ask(_view_of(context), (region.width, region.height), scene):
+            painter.step()
+            self._is_changed = True
+        engine.update_stats("glint", painter.fault or ("" if painter.is_final else "rendering"))
+        if painter.picture is None or painter.fault:
+            return
+        if self._is_changed:
+            self._texture, self._is_changed = _texture_of(painter.picture), False
+        gpu.state.blend_set("ALPHA_PREMULT")
+        engine.bind_display_space_shader(depsgraph.scene)
+        draw_texture_2d(self._texture, (0, 0), region.width, region.height)
+        engine.unbind_display_space_shader()
+        gpu.state.blend_set("NONE")
+
+    def _ask(self, view, size, scene):
+        """Whether something new is to be shown."""
+        settings = scene.glint
+        is_rt2 = settings.picture == "RT2"
+        aa = str(settings.rt2_aa) if is_rt2 else settings.options().samples
+        key = camera.camera_block(view), size, aa, scene.render.film_transparent and not is_rt2
+        if self._wanted is not None and self._wanted.written is self._written and key == self._key_of(self._wanted):
+            return False
+        self._wanted = Wanted(self._written, *key)
+        self.painter.ask(self._wanted)
+        if not bpy.app.timers.is_registered(self._timer):
+            bpy.app.timers.register(self._timer, first_interval=REST)
+        return True
+
+    @staticmethod
+    def _key_of(wanted):
+        return wanted.camera, wanted.size, wanted.aa, wanted.alpha
+
+    def _refine(self):
+        """The next step of the picture; Blender's timer calls it, between the user's events."""
+        self.painter.step()
+        self._is_changed = True
+        engine = self._engine()
+        try:
+            if engine is None:
+                return None
+            engine.tag_redraw()
+        except ReferenceError:  # Blender has freed it
+            return None
+        return None if self.painter.is_final else REST
+
+    def _remove_files(self, shapes):
+        """Removes files of meshes that are no longer there."""
+        folder = os.path.join(self._folder.name, "meshes")
+        used = set(re.findall(r'file = "meshes/([^"]*)"', shapes))
+        for file in set(os.listdir(folder)) - used if os.path.isdir(folder) else ():
+            os.remove(os.path.join(folder, file))
+
+
+def _view_of(context):
+    region, data = context.region, context.region_data
+    return camera.of_viewport(data.view_matrix, data.window_matrix, (region.width, region.height))
+
+
+def _is_shown(item, space):
+    """Whether this viewport shows an item: it may be in local view, or hide types of objects."""
+    return (item.holder or item.ob).original.visible_in_viewport_get(space)
+
+
+def _texture_of(rgba):
+    height, width, _ = rgba.shape
+    return gpu.types.GPUTexture((width, height), format="RGBA16F", data=gpu.types.Buffer("FLOAT", rgba.size, rgba.reshape(-1)))
+
+
+def viewports():
+    """Those that are open."""
+    return list(_open)
+

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Rendered mode: the viewport shows what F12 shows, follows edits, and comes soon."""
+import os
+import statistics
+import tempfile
+import time
+import unittest
+
+import bpy
+from mathutils import Quaternion
+
+SECONDS = 20  # a picture that is not there by then does not come
+
+
+class RenderedMode(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="glint-test-")
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.window = bpy.context.window_manager.windows[0]
+        self.area = next(a for a in self.window.screen.areas if a.type == "VIEW_3D")
+        self.region = next(r for r in self.area.regions if r.type == "WINDOW")
+        self.space = self.area.spaces[0]
+        self.scene = bpy.context.scene
+        self.scene.render.engine = "GLINT"
+        self.scene.glint.aa = 1
+        self.scene.view_settings.view_transform = "Standard"
+        for name in ("show_region_header", "show_region_tool_header", "show_region_toolbar", "show_region_hud", "show_gizmo"):
+            setattr(self.space, name, False)
+        self.space.overlay.show_overlays = False
+        self.space.shading.type = "RENDERED"
+        self.space.region_3d.view_perspective = "CAMERA"
+
+    def tearDown(self):
+        self.space.shading.type = "SOLID"
+        self.redraw()
+
+    def redraw(self):
+        with bpy.context.temp_override(window=self.window, area=self.area, region=self.region):
+            bpy.ops.wm.redraw_timer(type="DRAW_WIN_SWAP", iterations=1)
+
+    def viewport(self):
+        from io_glint.viewport import viewports  # it needs a window  pylint: disable=import-outside-toplevel
+        (found,) = viewports()
+        return found
+
+    def wait(self):
+        """Draws until the picture is final, as Blender's timer does."""
+        self.redraw()
+        viewport, end = self.viewport(), time.monotonic() + SECONDS
+        while not viewport.painter.is_final and time.monotonic() < end:
+            viewport.painter.step()
+        self.assertEqual(viewport.painter.fault, "")
+        self.assertTrue(viewport.painter.is_final)
+        viewport._is_changed = True  # pylint: disable=protected-access
+        self.redraw()
+
+    def screenshot(self):
+        """The viewport's pixels: width, height, and bytes as floats."""
+        path = os.path.join(self.folder, "viewport.png")
+        with bpy.context.temp_override(window=self.window, area=self.area, region=self.region):
+            bpy.ops.screen.screenshot_area(filepath=path)
+        return self.pixels(path)
+
+    @staticmethod
+    def pixels(path):
+        image = bpy.data.images.load(path)
+        image.colorspace_settings.name = "Non-Color"
+        try:
+            return *image.size, list(image.pixels)
+        finally:
+            bpy.data.images.remove(image)
+
+    def difference(self, one, other):
+        self.assertEqual(one[:2], other[:2])
+        return statistics.fmean(abs(a - b) for a, b in zip(one[2], other[2]))
+
+    def test_the_painters_picture_is_shown(self):
+        """With Blender's view transform, in its place: (0, 0) is the corner at the bottom left."""
+        self.space.region_3d.view_perspective, self.space.region_3d.view_distance = "PERSP", 6
+        self.wait()
+        width, height, shown = self.screenshot()
+        picture = self.viewport().painter.picture
+        self.assertEqual(picture.shape[:2], (height, width))
+        values = []
+        for y in range(20, height - 40, 25):
+            for x in range(20, width - 40, 25):
+                for channel in range(3):
+                    value = min(1.0, float(picture[y, x, channel]))
+                    values.append(value)
+                    curve = 12.92 * value if value < 0.0031308 else 1.055 * value ** (1 / 2.4) - 0.055
+                    self.assertAlmostEqual(shown[4 * (y * width + x) + channel], curve, delta=0.01, msg=f"{x}, {y}")
+        self.assertGreater(max(values) - min(values), 0.2)
+
+    def test_edits_are_followed(self):
+        self.wait()
+        before = self.screenshot()
+        loads = self.viewport().painter.loads
+        lamp = next(ob for ob in self.scene.objects if ob.type == "LIGHT")
+        old = lamp.data.energy
+        lamp.data.energy = 20 * old
+        self.wait()
+        brighter = self.screenshot()
+        self.assertGreater(self.difference(before, brighter), 0.003)
+        self.assertEqual(self.viewport().painter.loads, loads)  # no shape was read again
+        lamp.data.energy = old
+        self.wait()
+        self.assertLess(self.difference(before, self.screenshot()), 1e-3)
+        cube = next(ob for ob in self.scene.objects if ob.type == "MESH")
+        cube.location.x += 2
+        self.wait()
+        self.assertGreater(self.difference(before, self.screenshot()), 0.003)
+        cube.location.x -= 2
+
+    def test_orbits_are_followed(self):
+        self.space.region_3d.view_perspective, self.space.region_3d.view_distance = "PERSP", 6
+        self.wait()
+        before = self.screenshot()
+        self.space.region_3d.view_rotation = self.space.region_3d.view_rotation @ Quaternion((0, 1, 0), 0.5)
+        self.wait()
+        self.assertGreater(self.difference(before, self.screenshot()), 0.003)
+
+    def test_the_viewport_of_rt2(self):
+        with bpy.context.temp_override(window=self.window):
+            bpy.ops.glint.rt2_exercise()
+        self.space.region_3d.view_perspective = "CAMERA"
+        self.wait()
+        self.assertGreater(float(self.viewport().painter.picture[..., :3].max()), 0.5)
+
+    def test_a_closed_viewport_is_gone(self):
+        self.wait()
+        self.space.shading.type = "SOLID"
+        self.redraw()
+        from io_glint.viewport import viewports  # pylint: disable=import-outside-toplevel
+        self.assertEqual(viewports(), [])
