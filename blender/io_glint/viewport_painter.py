@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 STEP_SECONDS = 0.03  # for the first picture of a view, and for each step: 15 a second with what Blender itself needs
 COARSEST = 8  # pixels of the viewport a side for one of the picture
-BAND = 8  # a step has a multiple of so many rows
+LONGEST_SECONDS = 0.1  # a step that takes longer is given up, and done again in smaller parts
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,7 +64,7 @@ class World:
                     here[key] = value
         return True
 
-    def render(self, wanted, scale, aa, rows=None):
+    def render(self, wanted, scale, aa, rows=None, progress=None):
         """Rows (from the top, first and last + 1; None: all) of the picture with 1/scale of the pixels a side: float32 (height, width,
         4), premultiplied, rows from the bottom."""
         import numpy as np  # glint's package has it  pylint: disable=import-outside-toplevel
@@ -72,12 +72,16 @@ class World:
         scene.camera = self._glint.loads(wanted.camera).camera
         size = tuple(max(1, side // scale) for side in wanted.size)
         crop = (size[0], rows[1] - rows[0], 0, rows[0]) if rows else None
-        image = scene.render(size=size, aa=aa, alpha=wanted.alpha, crop=crop)
+        image = scene.render(size=size, aa=aa, alpha=wanted.alpha, crop=crop, progress=progress)
         rgba = np.ones((*image.array.shape[:2], 4), np.float32)
         rgba[..., :3] = image.array[::-1]
         if wanted.alpha:
             rgba[..., 3] = image.layers["alpha"][::-1].reshape(rgba.shape[:2])
         return rgba
+
+
+class _TooLong(Exception):
+    """A step is to be done in smaller parts."""
 
 
 class Painter:
@@ -141,16 +145,27 @@ class Painter:
         width, height = self._wanted.size
         if self._row == 0:
             self.picture = _enlarged(self.picture, width, height)
-        rows = max(1, int(STEP_SECONDS / (self._expected(aa) * width) / BAND)) * BAND
+        rows = max(1, int(STEP_SECONDS / (self._expected(aa) * width)))
         end = min(height, self._row + rows)
-        self.picture[height - end:height - self._row] = self._timed(1, aa, (self._row, end))
+        try:
+            band = self._timed(1, aa, (self._row, end))
+        except _TooLong:  # where surfaces begin, below a background
+            self._pixel_seconds[aa] *= 8
+            return
+        self.picture[height - end:height - self._row] = band
         self._row = end
         if end == height:
             self._end_stage()
 
     def _timed(self, scale, aa, rows):
         start = time.perf_counter()
-        rgba = self._world.render(self._wanted, scale, aa, rows)
+
+        def stop_if_too_long(_fraction):
+            if time.perf_counter() - start > LONGEST_SECONDS:
+                raise _TooLong
+
+        may_be_less = rows is not None and rows[1] - rows[0] > 1
+        rgba = self._world.render(self._wanted, scale, aa, rows, stop_if_too_long if may_be_less else None)
         self._pixel_seconds[aa] = (time.perf_counter() - start) / (rgba.size // 4)
         return rgba
 

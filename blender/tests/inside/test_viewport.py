@@ -112,6 +112,7 @@ class Pictures(SceneTest):
             times.append(time.perf_counter() - start)
         self.assertGreater(len(times), 5)
         self.assertLess(sorted(times)[len(times) // 2], 0.2)  # 0.03 are aimed at; other programs may run
+        self.assertLess(max(times), 1)
         self.assertTrue((self.painter.picture[..., :3] == self.rendered(12, (640, 480))).all())
 
     def test_a_newer_view_replaces_an_older_one(self):
