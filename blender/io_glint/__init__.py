@@ -13,8 +13,8 @@ bl_info = {
 
 
 def _modules():
-    from . import engine, exercise, operators, preferences, primitives, properties, ui  # bpy is there only now
-    return properties, preferences, operators, primitives, exercise, ui, engine
+    from . import engine, exercise, operators, preferences, primitives, properties, ui, warnings_panel  # bpy is there only now
+    return properties, preferences, operators, primitives, exercise, ui, warnings_panel, engine
 
 
 def register():

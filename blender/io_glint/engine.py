@@ -6,7 +6,7 @@ import tempfile
 
 import bpy
 
-from . import command, exr, passes, python_module
+from . import command, exr, passes, python_module, warnings_panel
 from .course_scene import collection_of, messages
 from .export import camera
 from .export.files import write_text
@@ -73,6 +73,7 @@ class GlintRenderEngine(bpy.types.RenderEngine):
             self._say_error(f"glint: {error}")
         if self.is_preview:  # of a material or a world; its lights and its floor are Blender's
             return
+        warnings_panel.keep(report)
         for warning in report.warnings:
             self.report({"WARNING"}, warning if warning.startswith("glint: ") else f"glint: {warning}")
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Exports of the context's scene into files: one, or one for each frame."""
+import dataclasses
 import os
 import shlex
 
@@ -12,7 +13,8 @@ from .export.files import write_text
 from .export.mesh_file import MeshFiles
 from .export.report import Report
 from .export.rt2 import RT2Scene, rt2_text
-from .export.scene import glint_text
+from .export.scene import glint_text, report_settings
+from .properties import SCENE_SETTINGS
 
 
 def export_text(context, options, evaluation, as_rt2, report, mesh_files=None):
@@ -26,6 +28,7 @@ def export_text(context, options, evaluation, as_rt2, report, mesh_files=None):
     try:
         if scene.camera is None:
             camera.read(None, scene, report)
+        report_settings(scene, context.view_layer, report)  # the render below has some of them off
         crop = camera.border(scene.render)
         if crop:
             report.warn(f"scene '{scene.name}'", "a scene's text has no render region; its part is --crop {}x{}+{}+{}"
@@ -80,6 +83,7 @@ def export_animation(context, path, options, evaluation="RENDER", as_rt2=False, 
     try:
         for f in frames:
             scene.frame_set(f)
+            options = dataclasses.replace(options, **{name: getattr(scene.glint, name) for name in SCENE_SETTINGS})  # animated
             paths.append(frame_path(path, f))
             write_text(paths[-1], export_text(context, options, evaluation, as_rt2, report, mesh_files))
     finally:

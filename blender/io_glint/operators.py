@@ -7,6 +7,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper
 
+from . import warnings_panel
 from .export.camera import CameraError
 from .export_files import export_animation, export_file, selection_of
 from .properties import draw_settings
@@ -50,6 +51,7 @@ class _Export(ExportHelper):
         except (CameraError, ValueError, RuntimeError, OSError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
+        warnings_panel.keep(report)
         for warning in report.warnings:
             self.report({"WARNING"}, warning)
         self.report({"INFO"}, f"Exported {done}")

@@ -4,6 +4,7 @@ import math
 import struct
 from dataclasses import dataclass
 
+from . import ignored
 from .text import block, number, vector
 from .vectors import cross, dot, sub
 
@@ -118,8 +119,7 @@ def read(camera, scene, report):
     data = camera.data
     if data.type not in ("PERSP", "ORTHO"):
         raise CameraError(f"{item} is of type {data.type}: glint has perspective and orthographic cameras")
-    if data.dof.use_dof:
-        report.warn(item, "depth of field is ignored: everything is sharp")
+    ignored.report(data, item, report)
     matrix = camera.matrix_world.normalized()
     axes = matrix.to_3x3()
     top_right, bottom_right, _, top_left = (tuple(v) for v in data.view_frame(scene=scene))

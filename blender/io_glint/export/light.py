@@ -2,11 +2,11 @@
 """Blender's lights as glint's: the classic intensity I_l of k_d (N.L) I_l, measured against Cycles."""
 import math
 
-from . import nodes
+from . import ignored, nodes
 from .text import block, number, vector
 
 MAX_PRODUCT = 1e6  # what glint takes as intensity times color
-SOFT = 0.05
+SUN_ANGLE = math.radians(0.6)  # a little more than a new sun has, and than the sun
 ROUND = 1.02  # an ellipse with axes of this ratio is taken as a disc
 
 
@@ -22,9 +22,9 @@ def power(data, report, item):
     if getattr(data, "use_temperature", False):
         color = tuple(c * t for c, t in zip(color, data.temperature_color))
     if data.use_nodes and data.node_tree:
-        node = nodes.surface_node(data.node_tree)
+        node, reader = nodes.surface_node(data.node_tree, report, item)
         if node is not None and node.type == "EMISSION":
-            tint, strength = nodes.NodeReader(report, item).emission(node)
+            tint, strength = reader.emission(node)
             color, energy = tuple(a * b for a, b in zip(color, tint)), energy * strength
         else:
             report.warn(item, "its nodes cannot be exported; its own color and power are used")
@@ -100,8 +100,6 @@ def area_block(name, matrix, light, data, samples, report, item):
                                          *_samples(samples), *_entries(light, data)])
         report.warn(item, "its ellipse is exported as a rectangle of the same area")
         side_x, side_y = (tuple(c * math.sqrt(math.pi) / 2 for c in side) for side in (side_x, side_y))
-    if getattr(data, "spread", math.pi) < math.pi - 1e-4:
-        report.warn(item, "its spread is ignored: it shines to all sides of its front")
     # The front is that of side_u x side_v.
     return block("light", name, [("type", "parallelogram"), ("position", vector(matrix.translation)), ("side_u", vector(side_y)),
                                  ("side_v", vector(side_x)), ("one_sided", "true"), *_samples(samples), *_entries(light, data)])
@@ -117,19 +115,20 @@ def ambient_block(radiance=(1.0, 1.0, 1.0)):
     return block("light", None, [("type", "ambient"), ("color", vector(radiance))])
 
 
-def light_text(ob, matrix, scale, focus, samples, report):
+def light_text(ob, matrix, scale, samples, report):
     """The block of a light under a world matrix; None, with a report, for what glint has not.
 
-    scale: what all powers are multiplied by. focus: a point of interest, by which an angle or a radius is called large.
-    samples: n x n of a light with an extent."""
+    scale: what all powers are multiplied by. samples: n x n of a light with an extent."""
     data, item = ob.data, describe(ob)
     values = [v for row in matrix for v in row]
     color, energy = power(data, report, item)
     if not all(math.isfinite(v) for v in (*values, *color, energy)):
         report.warn(item, "left out: it has numbers that are not finite")
         return None
-    if any(getattr(data, f"{part}_factor", 1.0) != 1.0 for part in ("diffuse", "specular")):
-        report.warn(item, "its diffuse and specular factors are ignored, as in Cycles")
+    if data.type == "AREA" and getattr(getattr(data, "cycles", None), "is_portal", False):
+        report.warn(item, "left out: it is a portal, which gives no light of its own")
+        return None
+    ignored.report(data, item, report)
     light = tuple(c * scale for c in classical(data.type, color, energy))
     if max(abs(c) for c in light) > MAX_PRODUCT:
         report.warn(item, "left out: it is brighter than glint takes (1e6)")
@@ -144,9 +143,9 @@ def light_text(ob, matrix, scale, focus, samples, report):
         return None
     to_light = tuple(axis.normalized())
     if data.type == "SUN":
-        if data.angle > SOFT:
+        if data.angle > SUN_ANGLE:
             report.warn(item, f"its angle of {math.degrees(data.angle):.3g} degrees is ignored: shadows are hard")
         return sun_block(ob.name, to_light, light, data)
-    if data.shadow_soft_size > SOFT * math.dist(position, focus):
+    if data.shadow_soft_size > 0:
         report.warn(item, f"its radius of {data.shadow_soft_size:.3g} is ignored: shadows are hard")
     return spot_block(ob.name, position, tuple(-c for c in to_light), light, data)

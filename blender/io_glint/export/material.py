@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Blender's materials as glint's keys. What decides: properties glint_..., RT2's property `material`, the nodes."""
-from . import course, keys, nodes, phong
+from . import course, ignored, keys, nodes, phong
 from .text import UniqueNames, block, number, vector
 
 NO_MATERIAL = "no material"
@@ -12,14 +12,16 @@ def describe(material):
 
 def phong_of(material, report):
     """A Blender material by its surface node; without nodes, by its viewport settings."""
-    viewport = phong.principled(tuple(material.diffuse_color)[:3], material.metallic, material.roughness)
+    ignored.report(material, describe(material), report)
+    viewport = phong.principled(tuple(material.diffuse_color)[:3], material.metallic, material.roughness,
+                                material.specular_intensity)
     if not material.use_nodes or material.node_tree is None:
         return viewport
-    node = nodes.surface_node(material.node_tree)
+    node, reader = nodes.surface_node(material.node_tree, report, describe(material))
     if node is None:
         report.warn(describe(material), "no shader is linked to its surface; it is black")
         return phong.Phong(color=phong.BLACK)
-    found = nodes.NodeReader(report, describe(material)).material(node)
+    found = reader.material(node)
     if found is None:
         report.warn(describe(material), f"its shader ({node.bl_label}) cannot be exported; its viewport color is used")
         return viewport
@@ -29,10 +31,11 @@ def phong_of(material, report):
 class MaterialTable:
     """The materials of one export, each under a name of its own, in the order of first use."""
 
-    def __init__(self, report, world, find_material, shading="blinn-phong"):
-        """world: its radiance, three floats. find_material: name -> Blender material or None."""
+    def __init__(self, report, world, find_material, shading="blinn-phong", override=None):
+        """world: its radiance, three floats. find_material: name -> Blender material or None. override: the view layer's
+        Blender material that replaces all others; None: there is none."""
         self.report, self.world, self.find_material = report, world, find_material
-        self.shading = shading
+        self.shading, self.override = shading, override
         self._names, self._keys, self._pass_indices = UniqueNames(), {}, {}
 
     def of_slot(self, material):
@@ -93,7 +96,7 @@ def slot_names(table, ob, property_holder, item):
     """The exported material of each of an object's slots; one entry for an object without slots.
 
     property_holder: the object whose property `material` counts: the object itself, or what instances it."""
-    slots = [slot.material for slot in ob.material_slots]
+    slots = [table.override] if table.override else [slot.material for slot in ob.material_slots]
     if any(slots):
         return [table.of_slot(m) for m in slots]
     for holder in (ob, property_holder):

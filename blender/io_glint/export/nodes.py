@@ -2,31 +2,24 @@
 """Shader nodes read by their type and by their sockets' names (3.4's first, 4.x's second)."""
 import array
 
-from . import phong
+from . import blend, ignored, ignored_nodes, links, phong
+from .report import Report
 
 MEAN_SAMPLES = 65536
 MAX_DEPTH = 32
 
 
-def surface_node(tree, outputs=("CYCLES", "ALL", "EEVEE")):
-    """The node linked to the surface of the material's (or world's, or light's) active output; None without one."""
+def surface_node(tree, report, item, outputs=("CYCLES", "ALL", "EEVEE")):
+    """(node, NodeReader) of the surface of the material's (or world's, or light's) active output; the node is None without
+    one. What else is linked to the output is reported."""
     output = None
     for target in outputs:
         output = output or tree.get_output_node(target)
-    socket = output.inputs.get("Surface") if output else None
-    return _source(socket)
-
-
-def _source(socket):
-    """The node that a socket is linked to; reroutes and muted links are seen through."""
-    for _ in range(MAX_DEPTH):
-        if socket is None or not socket.is_linked or socket.links[0].is_muted:
-            return None
-        node = socket.links[0].from_node
-        if node.type != "REROUTE":
-            return node
-        socket = node.inputs[0]
-    return None
+    reader = NodeReader(report, item)
+    if output is None:
+        return None, reader
+    reader.check(output)
+    return reader.linked(output.inputs["Surface"])
 
 
 def _socket(node, *names):
@@ -38,38 +31,68 @@ def _socket(node, *names):
 
 
 class NodeReader:
-    """Reads the nodes of one item; what it cannot follow goes to the report."""
+    """Reads the nodes of one item; what it cannot follow goes to the report. path: the group nodes around the nodes."""
 
-    def __init__(self, report, item):
-        self.report, self.item = report, item
+    def __init__(self, report, item, path=()):
+        self.report, self.item, self.path = report, item, path
+
+    def linked(self, socket):
+        """(node, its NodeReader) of what an input is linked to; the node is None without a link."""
+        end, path = links.origin(socket, self.path)
+        return end.node if end.is_output else None, NodeReader(self.report, self.item, path)
 
     def value(self, node, default, *names):
         """A number or a color (three floats) of the first of these sockets."""
         socket = _socket(node, *names)
-        if socket is None:
-            return default
-        plain = _plain(socket.default_value)
-        source = _source(socket)
-        if source is None:
-            return plain
-        if source.type == "RGB":
-            return _fit(_plain(source.outputs[0].default_value), plain)
-        if source.type == "VALUE":
-            return _fit(source.outputs[0].default_value, plain)
-        if source.type in ("TEX_IMAGE", "TEX_ENVIRONMENT"):
-            mean = mean_color(source.image)
-            if mean is not None:
+        return default if socket is None else self._value(socket, _plain(socket.default_value))
+
+    def _value(self, socket, like, depth=0):
+        """The value of an input as a number or a color like `like`."""
+        end, path = links.origin(socket, self.path)
+        if not end.is_output:
+            return _fit(_plain(end.default_value), like)
+        node, made = end.node, None
+        if node.type in ("RGB", "VALUE"):
+            made = _plain(end.default_value)
+        elif node.type in ("MIX", "MIX_RGB") and depth < MAX_DEPTH:
+            inner = NodeReader(self.report, self.item, path)
+            made = blend.mixed(node, lambda *one: inner._value(*one, depth + 1))
+        elif node.type in ("TEX_IMAGE", "TEX_ENVIRONMENT"):
+            made = mean_color(node.image)
+            if made is not None:
                 self.report.warn(self.item, f"the image at '{socket.name}' is exported as its mean color")
-                return _fit(mean, plain)
-        self.report.warn(self.item, f"the {source.bl_label} node at '{socket.name}' cannot be exported; "
-                                    "the socket's own value is used")
-        return plain
+        if made is None:
+            self.report.warn(self.item, f"the {node.bl_label} node at '{socket.name}' cannot be exported; "
+                                        "the socket's own value is used")
+            made = _plain(socket.default_value)
+        return _fit(made, like)
+
+    def check(self, node):
+        """Reports what has no effect of a node's properties and sockets."""
+        ignored.report(node, self.item, self.report)
+        known = ignored_nodes.SOCKETS.get(node.bl_idname)
+        for name, (text, idle) in known.warned.items() if known else ():
+            socket = node.inputs.get(name)
+            if socket is None or not socket.enabled or not self._has_effect(socket, idle):
+                continue
+            needed = _socket(node, *known.needs.get(name, ()))
+            if needed is None or self._has_effect(needed, (0.0,)):
+                self.report.warn(self.item, text.format(node=links.origin(socket, self.path)[0].node.bl_label))
+
+    def _has_effect(self, socket, idle):
+        """Whether an input is linked or, if it has idle values, has another one."""
+        if not idle:
+            return links.origin(socket, self.path)[0].is_output
+        unknown = Report()
+        value = NodeReader(unknown, self.item, self.path)._value(socket, _plain(socket.default_value))
+        return bool(unknown.warnings) or value not in idle
 
     def material(self, node, depth=0):
         """The node as Phong; None if it cannot be said."""
         convert = _CONVERTERS.get(node.type) if node is not None and depth < MAX_DEPTH else None
         if convert is None:
             return None
+        self.check(node)
         return convert(self, node, depth)
 
     def emission(self, node):
@@ -119,10 +142,13 @@ def _principled(r, node, _):
     if strength:
         color = r.value(node, phong.BLACK, "Emission", "Emission Color")
         emission = tuple(c * strength for c in color)
+    metallic, roughness = r.value(node, 0.0, "Metallic"), r.value(node, 0.5, "Roughness")
+    transmission = r.value(node, 0.0, "Transmission", "Transmission Weight")
+    if roughness and transmission * (1 - metallic):
+        r.report.warn(r.item, "its roughness blurs nothing behind it: the glass is clear")
     material = phong.principled(
-        r.value(node, (0.8,) * 3, "Base Color"), r.value(node, 0.0, "Metallic"), r.value(node, 0.5, "Roughness"),
-        r.value(node, 0.5, "Specular", "Specular IOR Level"),
-        r.value(node, 0.0, "Transmission", "Transmission Weight"), r.value(node, 1.45, "IOR"), emission)
+        r.value(node, (0.8,) * 3, "Base Color"), metallic, roughness, r.value(node, 0.5, "Specular", "Specular IOR Level"),
+        transmission, r.value(node, 1.45, "IOR"), emission)
     return phong.with_alpha(material, r.value(node, 1.0, "Alpha"))
 
 
@@ -149,8 +175,8 @@ def _emission(r, node, _):
 
 def _part(r, socket, depth):
     """A shader socket: nothing linked is black; None if it cannot be said."""
-    node = _source(socket)
-    return phong.Phong(color=phong.BLACK) if node is None else r.material(node, depth + 1)
+    node, reader = r.linked(socket)
+    return phong.Phong(color=phong.BLACK) if node is None else reader.material(node, depth + 1)
 
 
 def _mix(r, node, depth):

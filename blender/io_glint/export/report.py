@@ -10,8 +10,13 @@ class Report:
 
     def warn(self, item, text):
         """item: what it is about, as "light 'Key'"; text: what happens to it."""
-        self._warnings.setdefault(f"{item}: {text}", None)
+        self._warnings.setdefault((item, text), None)
+
+    @property
+    def entries(self):
+        """(item, text) of each."""
+        return list(self._warnings)
 
     @property
     def warnings(self):
-        return list(self._warnings)
+        return [f"{item}: {text}" for item, text in self._warnings]

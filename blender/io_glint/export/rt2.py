@@ -6,7 +6,7 @@ import math
 
 from . import camera, light, measure, mesh, rt2_material, shapes, walk, world
 from .material import MaterialTable
-from .scene import report_no_lights, report_render_settings, shape_of, shape_setting
+from .scene import override_of, report_no_lights, report_settings, shape_of, shape_setting
 from .shape_text import compose
 from .vectors import cross, unit
 
@@ -121,7 +121,8 @@ class RT2Scene:
         self.camera_object = self._camera()
         self.view = camera.read(self.camera_object, self.scene, report)
         self.target = tuple(p + TARGET_DISTANCE * f for p, f in zip(self.view.position, self.view.forward))
-        table = MaterialTable(report, world.radiance(self.scene.world, report), find_material)
+        table = MaterialTable(report, world.radiance(self.scene.world, report), find_material,
+                              override=override_of(depsgraph))
         self.materials = rt2_material.Materials(table, report)
         self.meshes = mesh.MeshCache()
         self.found = {"lights": [], "spheres": [], "planes": [], "cylinders": []}
@@ -155,7 +156,7 @@ class RT2Scene:
             else:
                 self._add_object(item, place)
         self._report_hidden(seen)
-        report_render_settings(self.scene, self.report)
+        report_settings(self.scene, self.depsgraph.view_layer, self.report)
         if self.options.selection is not None and not self.found["lights"]:
             report_no_lights(self.scene, self.report)
         lists = {name: [entry for _, entry in sorted(entries, key=lambda e: e[0])]
@@ -190,6 +191,8 @@ class RT2Scene:
             self.report.warn(described, "RT2 has point lights only: the sun is exported as one far away")
         elif data.type != "POINT":
             self.report.warn(described, f"RT2 has point lights only: its {data.type.lower()} is exported as one")
+        elif data.shadow_soft_size > 0:
+            self.report.warn(described, "RT2's lights are points: its radius is ignored")
         if self.options.light_color == "classical":
             power = light.power(data, self.report, described)
             squared = 1.0 if data.type == "SUN" else max(math.dist(position, self.target) ** 2, 1e-12)

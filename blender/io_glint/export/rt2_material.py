@@ -34,14 +34,16 @@ class Materials:
         self.table, self.report, self._used = table, report, {}
 
     def name_for(self, item):
-        """The material of a walk's Item: its property `material`, else its first slot, else `default`."""
-        for ob in (item.holder, item.ob):
+        """The material of a walk's Item: the view layer's override, else its property `material`, else its first slot, else
+        `default`."""
+        override = self.table.override
+        for ob in (item.holder, item.ob) if override is None else ():
             wanted = ob.get("material") if ob is not None else None
             if isinstance(wanted, str) and wanted:
                 name = self.table.of_property(wanted, item.described)
                 if name is not None:
                     return self._use(name, wanted)
-        slot = next((s.material for s in item.ob.material_slots if s.material), None)
+        slot = override or next((s.material for s in item.ob.material_slots if s.material), None)
         if slot is not None:
             return self._use(self.table.of_slot(slot), slot.name)
         return self._use(self.table.of_course("default"), "default")

@@ -2,7 +2,7 @@
 """A depsgraph as the text of a .glint scene."""
 import gc
 
-from . import camera, light, material, measure, mesh, phong, shape_text, shapes, text, walk, world
+from . import camera, ignored, light, material, measure, mesh, phong, shape_text, shapes, text, walk, world
 
 MAX_REFLECTIONS = 12
 
@@ -53,8 +53,7 @@ class SceneText:
         self.background = world.radiance(self.scene.world, report)
         # The world lights surfaces by k_a, or by the block occlusion.
         ambient = phong.BLACK if options.occlusion else self.background
-        self.table = material.MaterialTable(report, ambient, find_material, options.shading)
-        self.focus = tuple(p + 10 * f for p, f in zip(self.view.position, self.view.forward))
+        self.table = material.MaterialTable(report, ambient, find_material, options.shading, override_of(depsgraph))
         self._meshes, self._lights, self._chunks = meshes or mesh.MeshCache(), [], []
 
     def parts(self):
@@ -63,13 +62,13 @@ class SceneText:
             if self.is_stopped():
                 raise Stopped
             if item.ob.type == "LIGHT":
-                block = light.light_text(item.ob, item.matrix, self.options.light_scale, self.focus,
-                                         self.options.light_samples, self.report)
+                block = light.light_text(item.ob, item.matrix, self.options.light_scale, self.options.light_samples,
+                                         self.report)
                 if block:
                     self._lights.append(block)
             else:
                 self._add_object(item)
-        report_render_settings(self.scene, self.report)
+        report_settings(self.scene, self.depsgraph.view_layer, self.report)
         if self.options.selection is not None and not self._lights:
             report_no_lights(self.scene, self.report)
         sky = list(self._sky())
@@ -93,8 +92,8 @@ class SceneText:
         yield camera.camera_block(self.view)
 
     def _sky(self):
-        if self.options.mist and self.scene.world is not None:
-            yield world.fog_block(self.scene.world, self.background, self.report)
+        if self.scene.world is not None:
+            yield from world.fog_blocks(self.scene.world, self.background, self.options.mist, self.report)
         if self.options.occlusion and any(self.background):
             yield world.occlusion_block(self.background)
 
@@ -173,12 +172,18 @@ def _evaluated(ob, depsgraph):
     return ob.evaluated_get(depsgraph) if ob is not None else None
 
 
-def report_render_settings(scene, report):
-    item, render = f"scene '{scene.name}'", scene.render
-    if render.use_motion_blur:
-        report.warn(item, "motion blur is ignored")
-    if render.use_freestyle:
-        report.warn(item, "Freestyle lines are ignored")
+def override_of(depsgraph):
+    """The material that replaces all others in the view layer, evaluated; None without one."""
+    return _evaluated(depsgraph.view_layer.material_override, depsgraph)
+
+
+def report_settings(scene, view_layer, report):
+    """Reports what has no effect of the render settings and the view layer."""
+    item = f"scene '{scene.name}'"
+    for struct in (scene.render, getattr(scene, "cycles", None)):
+        if struct is not None:
+            ignored.report(struct, item, report)
+    ignored.report(view_layer, f"view layer '{view_layer.name}'", report)
 
 
 def report_no_lights(scene, report):

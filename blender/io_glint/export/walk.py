@@ -2,6 +2,8 @@
 """Everything that a render shows, one after the other: a walk over depsgraph.object_instances."""
 from dataclasses import dataclass
 
+from . import ignored
+
 GEOMETRY = ("MESH", "CURVE", "SURFACE", "FONT", "META")
 UNSEEN = ("EMPTY", "CAMERA", "ARMATURE", "LATTICE", "SPEAKER", "LIGHT_PROBE")
 DEFORMING = frozenset((
@@ -55,7 +57,7 @@ def items(depsgraph, report, wanted=lambda item: True):
     """Yields the Items of all lights and of all surfaces that the camera sees; reports what glint cannot show.
 
     wanted: whether an Item is asked for; the others are neither yielded nor reported."""
-    have_mesh = _own_meshes(depsgraph)
+    have_mesh, seen = _own_meshes(depsgraph), set()
     for inst in depsgraph.object_instances:
         ob = inst.object
         if ob.type in UNSEEN or (ob.type in GEOMETRY[1:] and ob.original.as_pointer() in have_mesh):
@@ -66,6 +68,9 @@ def items(depsgraph, report, wanted=lambda item: True):
         _report_hair(ob, report)
         if not inst.show_self:
             continue
+        if ob.original.as_pointer() not in seen:  # instances share its properties
+            seen.add(ob.original.as_pointer())
+            ignored.report(ob, f"object '{ob.name}'", report)
         if ob.type == "LIGHT":
             yield item
             continue

@@ -87,6 +87,17 @@ class SceneTest(unittest.TestCase):
             node.inputs[key.replace("_", " ")].default_value = value
         return made
 
+    def shader(self, node_type, name="made", **sockets):
+        material = bpy.data.materials.new(name)
+        material.use_nodes = True
+        tree = material.node_tree
+        tree.nodes.clear()
+        node, output = tree.nodes.new(node_type), tree.nodes.new("ShaderNodeOutputMaterial")
+        for key, value in sockets.items():
+            node.inputs[key].default_value = (*value, 1) if isinstance(value, tuple) else value
+        tree.links.new(node.outputs[0], output.inputs["Surface"])
+        return material
+
     def world(self, color, strength=1.0):
         made = bpy.data.worlds.new("World")
         made.use_nodes = True
@@ -108,6 +119,13 @@ class SceneTest(unittest.TestCase):
             text = file.read()
         self.warnings = [line[2:] for line in text.splitlines() if line.startswith("# ")][1:]
         return text
+
+    def keys(self, name):
+        """The keys of an exported material."""
+        text = self.export()
+        line = next(line for line in text.splitlines() if line.startswith(f'material "{name}"'))
+        entries = line.split("{ ", 1)[1].removesuffix(" }").split("  ")
+        return dict(entry.split(" = ", 1) for entry in entries)
 
     def export_rt2(self, name="scene.json", **settings):
         path = self.path(name)

@@ -10,24 +10,6 @@ class Materials(SceneTest):
         self.camera()
         self.lamp()
 
-    def keys(self, name):
-        """The keys of an exported material."""
-        text = self.export()
-        line = next(line for line in text.splitlines() if line.startswith(f'material "{name}"'))
-        entries = line.split("{ ", 1)[1].removesuffix(" }").split("  ")
-        return dict(entry.split(" = ", 1) for entry in entries)
-
-    def shader(self, node_type, name="made", **sockets):
-        material = bpy.data.materials.new(name)
-        material.use_nodes = True
-        tree = material.node_tree
-        tree.nodes.clear()
-        node, output = tree.nodes.new(node_type), tree.nodes.new("ShaderNodeOutputMaterial")
-        for key, value in sockets.items():
-            node.inputs[key].default_value = (*value, 1) if isinstance(value, tuple) else value
-        tree.links.new(node.outputs[0], output.inputs["Surface"])
-        return material
-
     def test_none(self):
         self.add("cube")
         self.assertEqual(self.keys("no material")["diffuse_color"], "(0.8, 0.8, 0.8)")

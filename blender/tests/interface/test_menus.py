@@ -40,6 +40,23 @@ class Interface(unittest.TestCase):
                 area.tag_redraw()
                 self.assertEqual(bpy.ops.wm.redraw_timer(type="DRAW_WIN_SWAP", iterations=1), {"FINISHED"})
 
+    def test_the_panel_of_warnings(self):
+        from io_glint import warnings_panel
+        scene = bpy.context.scene
+        scene.render.engine = "GLINT"
+        scene.objects["Cube"].visible_shadow = False
+        self.addCleanup(setattr, scene.objects["Cube"], "visible_shadow", True)
+        with bpy.context.temp_override(**self.override):
+            bpy.ops.render.render()
+            self.assertEqual([item for item, _ in warnings_panel.kept()], ["object 'Cube'"])
+            bpy.ops.glint.copy_warnings()
+            self.assertIn("object 'Cube': its 'Shadow Visibility' is ignored", bpy.context.window_manager.clipboard)
+        area = next(a for a in self.window.screen.areas if a.type == "PROPERTIES")
+        with bpy.context.temp_override(window=self.window, area=area):
+            area.spaces[0].context = "RENDER"
+            area.tag_redraw()
+            self.assertEqual(bpy.ops.wm.redraw_timer(type="DRAW_WIN_SWAP", iterations=1), {"FINISHED"})
+
     def test_menus_have_the_exports(self):
         self.assertIn("EXPORT_SCENE_OT_glint", dir(bpy.types))
         self.assertIn("EXPORT_SCENE_OT_rt2", dir(bpy.types))
