@@ -132,4 +132,3 @@ def _texture_of(rgba):
 def viewports():
     """Those that are open."""
     return list(_open)
-
