@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A zip with the command, as somebody without glint would use it: installed, it renders. Needs empty folders for Blender's settings:
+"""A zip with the command, as somebody without glint would use it: installed, it renders, and has what viewports need. Needs empty folders for Blender's settings:
     BLENDER_USER_SCRIPTS=A BLENDER_USER_CONFIG=B blender -b --factory-startup --python-exit-code 3 --python blender/tests/try_zip.py -- ZIP PICTURE.png
 The command is in neither PATH nor GLINT."""
 import os
@@ -21,10 +21,12 @@ scene.render.image_settings.file_format = "PNG"
 scene.render.filepath = picture
 bpy.ops.render.render(write_still=True)
 
-from io_glint import command  # noqa: E402  pylint: disable=wrong-import-position,import-error
+from io_glint import command, python_module  # noqa: E402  pylint: disable=wrong-import-position,import-error
 
 addon = os.path.dirname(next(m.__file__ for m in addon_utils.modules() if m.__name__ == "io_glint"))
 assert command.find().startswith(os.path.join(addon, "program")), command.find()
+module, fault = python_module.find()
+assert module is not None and module.__file__.startswith(addon), fault or module.__file__
 pixels = bpy.data.images.load(picture).pixels[:]
 levels = {round(v, 2) for v in pixels[0::4]}
 assert len(levels) > 3, f"the picture has {len(levels)} gray levels: no cube is seen"
