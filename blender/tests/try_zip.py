@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A zip with the command, as somebody without glint would use it: installed, it renders, and has what viewports need. Needs empty folders for Blender's settings:
+"""A zip with the command, as somebody without glint would use it: installed, it renders, and has what viewports need. Needs
+empty folders for Blender's settings:
     BLENDER_USER_SCRIPTS=A BLENDER_USER_CONFIG=B blender -b --factory-startup --python-exit-code 3 --python blender/tests/try_zip.py -- ZIP PICTURE.png
 The command is in neither PATH nor GLINT."""
 import os
