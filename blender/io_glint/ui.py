@@ -13,7 +13,7 @@ EXCLUDED = {"DATA_PT_light", "VIEWLAYER_PT_filter", "VIEWLAYER_PT_layer_passes",
             "RENDER_PT_post_processing"}
 # Panels that Blender offers to Eevee and Cycles, but whose settings the exporter reads.
 SHARED = {"EEVEE_MATERIAL_PT_context_material", "EEVEE_MATERIAL_PT_surface", "EEVEE_WORLD_PT_surface",
-          "DATA_PT_EEVEE_light", "WORLD_PT_context_world"}
+          "DATA_PT_EEVEE_light", "WORLD_PT_context_world", "MATERIAL_PT_preview"}
 
 
 class _Panel:

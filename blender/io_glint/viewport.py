@@ -3,6 +3,7 @@
 import os
 import re
 import tempfile
+import time
 import weakref
 
 import bpy
@@ -18,6 +19,7 @@ from .export.scene import SceneText, write_parts
 from .viewport_painter import Painter, Wanted, Written
 
 REST = 0.002  # seconds between two steps, for the user's events
+SHOWN_SECONDS = 0.2  # between two states of a picture that are drawn: Blender itself may need as long as several steps
 _open = weakref.WeakSet()
 
 
@@ -29,6 +31,7 @@ class Viewport:
         self._folder = tempfile.TemporaryDirectory(prefix="glint-viewport-")  # pylint: disable=consider-using-with
         self._meshes, self._written, self._wanted = mesh.MeshCache(), None, None
         self._texture, self._is_changed = None, True  # is_changed: the painter has more than the texture
+        self._drawn_at = 0.0
         _open.add(self)
 
     def close(self):
@@ -74,6 +77,7 @@ class Viewport:
         draw_texture_2d(self._texture, (0, 0), region.width, region.height)
         engine.unbind_display_space_shader()
         gpu.state.blend_set("NONE")
+        self._drawn_at = time.monotonic()
 
     def _ask(self, view, size, scene):
         """Whether something new is to be shown."""
@@ -101,7 +105,8 @@ class Viewport:
         try:
             if engine is None:
                 return None
-            engine.tag_redraw()
+            if self.painter.is_final or time.monotonic() - self._drawn_at > SHOWN_SECONDS:
+                engine.tag_redraw()
         except ReferenceError:  # Blender has freed it
             return None
         return None if self.painter.is_final else REST
