@@ -36,7 +36,7 @@ class GlintSceneSettings(bpy.types.PropertyGroup):
         ("BLENDER", "Blender's scene", "With Blender's lights and materials, as .glint exports it"),
         ("RT2", "RT2 homework", "What the exported RT2 scene looks like by the homework's rules; sets the view transform Raw, as "
          "the homework writes its numbers")), default="BLENDER", update=_use_raw_colors)
-    rt2_aa: IntProperty(name="Samples per side", default=1, min=1, max=64,
+    rt2_aa: IntProperty(name="Samples n x n", default=1, min=1, max=64,
                         description="n: n x n regular samples for each pixel; the homework takes one")
     shading: EnumProperty(name="Shading", items=(
         ("blinn-phong", "Blinn-Phong", "Highlights by N.H"),
@@ -56,11 +56,11 @@ class GlintSceneSettings(bpy.types.PropertyGroup):
         ("opaque", "Opaque", "Glass blocks light")), default=Options.glass_shadow)
     reflections: IntProperty(name="Reflections", default=Options.reflections, min=-1, max=1000,
                              description="Most generations of mirror and glass rays; -1: Cycles' bounces, at most 12")
-    aa: IntProperty(name="Samples per side", default=Options.aa, min=1, max=64,
+    aa: IntProperty(name="Samples n x n", default=Options.aa, min=1, max=64,
                     description="n: n x n regular samples for each pixel")
     adaptive: BoolProperty(name="Adaptive", default=Options.adaptive,
                            description="Take these samples only where pixels differ from their neighbors, and one elsewhere")
-    light_samples: IntProperty(name="Light samples per side", default=Options.light_samples, min=1, max=64,
+    light_samples: IntProperty(name="Lights n x n", default=Options.light_samples, min=1, max=64,
                                description="n: n x n samples of each area light, and of each point light with a radius")
     light_scale: FloatProperty(name="Light scale", default=Options.light_scale, min=0.0, soft_max=10.0,
                                description="All lights are multiplied by this")
