@@ -52,6 +52,15 @@ test('the ray tree opens and closes, and its terms lead to their lines', () => w
     angles.forEach((angle) => assert.match(angle, /^\d+\.\d°$/));
 }));
 
+test('to point at the picture does not move it', () => withPage(async (page) => {
+    await choose(page, 'cgfs/three_mirrors.cgfs');
+    await page.locator('.pixel-line.how').waitFor();
+    const before = await page.locator('.frame').boundingBox();
+    await page.mouse.move(before.x + before.width / 2, before.y + before.height / 2);
+    await page.locator('.pixel-line:not(.how)').waitFor();
+    assert.deepEqual(await page.locator('.frame').boundingBox(), before);
+}));
+
 test('a pixel that is clicked before the picture of a new scene is explained in that picture', () => withPage(async (page) => {
     // The workers get no message until the click is over.
     await page.evaluate(() => {
