@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The zip with the command, in a Blender of its own: without GLINT and without glint in PATH, F12 gives a picture."""
+"""The zip with the command and the Python package, in a Blender of its own: without GLINT and without glint in PATH, F12 gives a
+picture."""
 import os
 import pathlib
 import shutil
@@ -25,7 +26,7 @@ class ZipWithProgram(unittest.TestCase):
             program = pathlib.Path(folder, "unpacked", package.PROGRAM[platform][0])
             program.parent.mkdir(parents=True)
             shutil.copy(GLINT, program)
-            zip_path = package.make(folder, platform, f"{folder}/unpacked")
+            zip_path = package.make(folder, platform, f"{folder}/unpacked", os.environ["GLINT_TEST_MODULES"])
             environment = dict(os.environ, BLENDER_USER_SCRIPTS=f"{folder}/scripts", BLENDER_USER_CONFIG=f"{folder}/config")
             run = subprocess.run([bpy.app.binary_path, "-b", "--factory-startup", "--python-exit-code", "3", "--python", SCRIPT,
                                   "--", zip_path, f"{folder}/picture.png"],
