@@ -6,7 +6,7 @@ bl_info = {
     "version": (0, 3, 0),
     "blender": (3, 3, 0),
     "location": "File > Export > glint (.glint), RT2 (.json); render engine glint",
-    "description": "Export scenes to the ray tracer glint and to RT2's JSON, and render them by glint",
+    "description": "Export scenes to glint and to RT2's JSON, and render them by glint",
     "doc_url": "",
     "category": "Import-Export",
 }
