@@ -47,10 +47,7 @@ class GlintRenderEngine(bpy.types.RenderEngine):
             return
         if self._viewport is None:
             self._viewport = Viewport(self, module)
-        try:
-            self._viewport.update(context, depsgraph)
-        except camera.CameraError as error:
-            self.update_stats("glint", str(error))
+        self._viewport.update(context, depsgraph)
 
     def view_draw(self, context, depsgraph):
         if self._viewport is not None:

@@ -31,18 +31,31 @@ class Viewport:
         self._folder = tempfile.TemporaryDirectory(prefix="glint-viewport-")  # pylint: disable=consider-using-with
         self._meshes, self._written, self._wanted = mesh.MeshCache(), None, None
         self._texture, self._is_changed = None, True  # is_changed: the painter has more than the texture
-        self._drawn_at = 0.0
+        self._drawn_at, self._fault = 0.0, ""
         _open.add(self)
 
     def close(self):
+        """May be called twice."""
+        if self._timer is None:
+            return
         _open.discard(self)
         if bpy.app.timers.is_registered(self._timer):
             bpy.app.timers.unregister(self._timer)
+        # Python's collector of cycles must not find the texture: it may run in a thread without the window's OpenGL.
+        self._timer = self._texture = self._written = self._wanted = None
         self._folder.cleanup()
 
     def update(self, context, depsgraph):
         """Blender's data have changed; it draws afterwards."""
-        if any(update.is_updated_geometry for update in depsgraph.updates):
+        try:
+            self._write(context, depsgraph)
+            self._fault = ""
+        except Exception as error:  # pylint: disable=broad-except
+            self._fault = str(error) or type(error).__name__  # draw() shows it: Blender would print a traceback only
+
+    def _write(self, context, depsgraph):
+        has_new_meshes = any(update.is_updated_geometry for update in depsgraph.updates)
+        if has_new_meshes:
             self._meshes.clear()
         scene = depsgraph.scene_eval
         name = os.path.join(self._folder.name, "viewport")
@@ -56,14 +69,16 @@ class Viewport:
                                 meshes=self._meshes, wanted=lambda item: _is_shown(item, space))
             head, shapes = write_parts(written)
             self._written = Written(head, shapes, "glint", name + ".glint")
-            self._remove_files(shapes)
+            if has_new_meshes:  # else the cache has meshes that are hidden now, and their files
+                self._remove_files(shapes)
 
     def draw(self, context, depsgraph):
         """Blender draws the viewport: when its view has changed, too."""
         scene, region = depsgraph.scene_eval, context.region
-        if self._written is None:
-            return
         painter, engine = self.painter, self._engine()
+        if self._fault or self._written is None:
+            engine.update_stats("glint", self._fault)
+            return
         if self._ask(_view_of(context), (region.width, region.height), scene):
             painter.step()
             self._is_changed = True
@@ -99,12 +114,12 @@ class Viewport:
 
     def _refine(self):
         """The next step of the picture; Blender's timer calls it, between the user's events."""
+        engine = self._engine()
+        if engine is None or self._timer is None:
+            return None
         self.painter.step()
         self._is_changed = True
-        engine = self._engine()
         try:
-            if engine is None:
-                return None
             if self.painter.is_final or time.monotonic() - self._drawn_at > SHOWN_SECONDS:
                 engine.tag_redraw()
         except ReferenceError:  # Blender has freed it

@@ -5,6 +5,7 @@ import statistics
 import tempfile
 import time
 import unittest
+import weakref
 
 import bpy
 from mathutils import Quaternion
@@ -129,7 +130,30 @@ class RenderedMode(unittest.TestCase):
 
     def test_a_closed_viewport_is_gone(self):
         self.wait()
+        viewport = weakref.ref(self.viewport())
         self.space.shading.type = "SOLID"
         self.redraw()
         from io_glint.viewport import viewports  # pylint: disable=import-outside-toplevel
         self.assertEqual(viewports(), [])
+        self.assertIsNone(viewport())  # without Python's collector of cycles
+
+    def test_a_large_mesh_that_was_hidden_is_shown_again(self):
+        """Its file must still be there: Blender does not say that its geometry is new."""
+        bpy.ops.mesh.primitive_ico_sphere_add(subdivisions=5, location=(0, 0, 3))
+        ball = bpy.context.object
+        self.addCleanup(bpy.data.objects.remove, ball)
+        self.wait()
+        before = self.screenshot()
+        for is_hidden in (True, False):
+            ball.hide_set(is_hidden)
+            self.wait()
+        self.assertLess(self.difference(before, self.screenshot()), 1e-3)
+
+    def test_an_error_is_shown_and_ends(self):
+        self.scene.glint.picture, camera = "RT2", self.scene.camera
+        self.scene.camera = None
+        self.redraw()
+        self.assertIn("no camera", self.viewport()._fault)  # pylint: disable=protected-access
+        self.scene.camera, self.scene.glint.picture = camera, "BLENDER"
+        self.wait()
+        self.assertEqual(self.viewport()._fault, "")  # pylint: disable=protected-access
