@@ -25,7 +25,10 @@ def origin(socket, path=()):
                 break
             socket, path = inner, (*path, node)
         elif node.type == "GROUP_INPUT" and path:
-            socket, path = _same(path[-1].inputs, output), path[:-1]
+            inner = _same(path[-1].inputs, output)
+            if inner is None:  # the group has changed, and its node is not up to date
+                break
+            socket, path = inner, path[:-1]
         else:
             return output, path
     return socket, path

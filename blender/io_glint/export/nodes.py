@@ -31,15 +31,30 @@ def _socket(node, *names):
 
 
 class NodeReader:
-    """Reads the nodes of one item; what it cannot follow goes to the report. path: the group nodes around the nodes."""
+    """Reads the nodes of one item; what it cannot follow goes to the report. path: the group nodes around the nodes.
 
-    def __init__(self, report, item, path=()):
+    known: what has been read already, and None for what is being read. Without it, chains of nodes whose inputs have a node in
+    common would take 2^n steps."""
+
+    def __init__(self, report, item, path=(), known=None):
         self.report, self.item, self.path = report, item, path
+        self.known = {} if known is None else known
+
+    def _at(self, path):
+        return NodeReader(self.report, self.item, path, self.known)
+
+    def _once(self, thing, kind, read):
+        """What read() returns for a node or a socket, remembered; None where it asks for itself."""
+        key = kind, thing.as_pointer(), tuple(node.as_pointer() for node in self.path)
+        if key not in self.known:
+            self.known[key] = None
+            self.known[key] = read()
+        return self.known[key]
 
     def linked(self, socket):
         """(node, its NodeReader) of what an input is linked to; the node is None without a link."""
         end, path = links.origin(socket, self.path)
-        return end.node if end.is_output else None, NodeReader(self.report, self.item, path)
+        return end.node if end.is_output else None, self._at(path)
 
     def value(self, node, default, *names):
         """A number or a color (three floats) of the first of these sockets."""
@@ -48,6 +63,10 @@ class NodeReader:
 
     def _value(self, socket, like, depth=0):
         """The value of an input as a number or a color like `like`."""
+        found = self._once(socket, isinstance(like, tuple), lambda: self._read(socket, like, depth))
+        return _fit(_plain(socket.default_value), like) if found is None else found
+
+    def _read(self, socket, like, depth):
         end, path = links.origin(socket, self.path)
         if not end.is_output:
             return _fit(_plain(end.default_value), like)
@@ -55,12 +74,13 @@ class NodeReader:
         if node.type in ("RGB", "VALUE"):
             made = _plain(end.default_value)
         elif node.type in ("MIX", "MIX_RGB") and depth < MAX_DEPTH:
-            inner = NodeReader(self.report, self.item, path)
+            inner = self._at(path)
             made = blend.mixed(node, lambda *one: inner._value(*one, depth + 1))
         elif node.type in ("TEX_IMAGE", "TEX_ENVIRONMENT"):
-            made = mean_color(node.image)
-            if made is not None:
-                self.report.warn(self.item, f"the image at '{socket.name}' is exported as its mean color")
+            means = mean_pixel(node.image)
+            if means is not None:
+                made, what = (means[3], "alpha") if end.name == "Alpha" else (means[:3], "color")
+                self.report.warn(self.item, f"the image at '{socket.name}' is exported as its mean {what}")
         if made is None:
             self.report.warn(self.item, f"the {node.bl_label} node at '{socket.name}' cannot be exported; "
                                         "the socket's own value is used")
@@ -92,8 +112,12 @@ class NodeReader:
         convert = _CONVERTERS.get(node.type) if node is not None and depth < MAX_DEPTH else None
         if convert is None:
             return None
-        self.check(node)
-        return convert(self, node, depth)
+
+        def read():
+            self.check(node)
+            return convert(self, node, depth)
+
+        return self._once(node, "material", read)
 
     def emission(self, node):
         """(color, strength) of an Emission or Background node."""
@@ -105,7 +129,7 @@ def _plain(value):
 
 
 def _fit(value, like):
-    """A color where a color is wanted, a number (the mean, as Blender converts) where a number is."""
+    """A color where a color is wanted, a number (the luminance, as Blender converts) where a number is."""
     if isinstance(like, tuple):
         return value if isinstance(value, tuple) else (float(value),) * 3
     return 0.2126 * value[0] + 0.7152 * value[1] + 0.0722 * value[2] if isinstance(value, tuple) else float(value)
@@ -115,8 +139,8 @@ def _linear(c):
     return c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4
 
 
-def mean_color(image):
-    """The mean linear color of an image, from evenly spaced pixels; None if it has none."""
+def mean_pixel(image):
+    """The mean linear color and the mean alpha of an image, four numbers, from evenly spaced pixels; None if it has none."""
     if image is None or not image.has_data and not image.size[0]:
         return None
     count = image.size[0] * image.size[1]
@@ -128,12 +152,14 @@ def mean_color(image):
     image.pixels.foreach_get(pixels)
     step, n = max(1, count // MEAN_SAMPLES), image.channels
     mean = []
-    for channel in range(min(n, 3)):
+    for channel in range(min(n, 4)):
         values = pixels[channel::n * step]
-        if not image.is_float and image.colorspace_settings.name == "sRGB":
+        if channel < 3 and not image.is_float and image.colorspace_settings.name == "sRGB":
             values = [_linear(v) for v in values]
         mean.append(sum(values) / len(values))
-    return tuple(mean) if len(mean) == 3 else (mean[0],) * 3
+    if len(mean) < 3:
+        mean = [mean[0]] * 3
+    return (*mean[:3], mean[3] if len(mean) > 3 else 1.0)
 
 
 def _principled(r, node, _):

@@ -62,6 +62,19 @@ class Materials(SceneTest):
         self.export()
         self.assertEqual(sum("'linked'" in w and "Noise" in w and "'Roughness'" in w for w in self.warnings), 1, self.warnings)
 
+    def test_the_alpha_of_an_image_is_its_mean_alpha(self):
+        for pixels, transmission in (([1, 1, 1, 1, 1, 1, 1, 0.5], 0.25), ([0, 0, 0, 1] * 2, None)):
+            image = bpy.data.images.new("leaf", 2, 1, alpha=True, float_buffer=True)
+            image.pixels[:] = pixels
+            material = self.material(f"leaf {transmission}")
+            texture = material.node_tree.nodes.new("ShaderNodeTexImage")
+            texture.image = image
+            material.node_tree.links.new(texture.outputs["Alpha"], material.node_tree.nodes["Principled BSDF"].inputs["Alpha"])
+            self.add("cube", material=material)
+            found = self.keys(material.name).get("transmission")
+            self.assertEqual(found and float(found), transmission)
+            self.assertTrue(any("mean alpha" in w for w in self.warnings))
+
     def test_an_image_is_its_mean(self):
         image = bpy.data.images.new("picture", 2, 2, float_buffer=True)
         image.pixels[:] = [1, 0, 0, 1, 0, 1, 0, 1, 1, 1, 0, 1, 0, 0, 0, 1]

@@ -44,6 +44,34 @@ class Links(SceneTest):
         node.node_tree = inner
         return node
 
+    def test_long_chains_with_common_inputs(self):
+        """Each node is read once: 2^28 times would not end."""
+        last = self.tree.nodes.new("ShaderNodeRGB").outputs[0]
+        last.default_value = (0.5, 0.25, 0.125, 1)
+        for _ in range(28):
+            mix = self.tree.nodes.new("ShaderNodeMixRGB")
+            for i in (1, 2):
+                self.connect(last, mix.inputs[i])
+            last = mix.outputs[0]
+        self.connect(last, self.principled.inputs["Base Color"])
+        self.assert_color((0.5, 0.25, 0.125))
+        shader = self.principled.outputs[0]
+        for _ in range(28):
+            mix = self.tree.nodes.new("ShaderNodeMixShader")
+            for i in (1, 2):
+                self.connect(shader, mix.inputs[i])
+            shader = mix.outputs[0]
+        self.connect(shader, self.tree.nodes["Material Output"].inputs["Surface"])
+        self.assert_color((0.5, 0.25, 0.125))
+
+    def test_links_in_a_circle(self):
+        one, other = (self.tree.nodes.new("ShaderNodeMixRGB") for _ in range(2))
+        for i in (1, 2):
+            self.connect(one.outputs[0], other.inputs[i])
+            self.connect(other.outputs[0], one.inputs[i])
+        self.connect(one.outputs[0], self.principled.inputs["Base Color"])
+        self.assertIn('material "made"', self.export())
+
     def test_groups_within_groups(self):
         def pass_on(tree, start, end):
             tree.links.new(start.outputs[0], end.inputs[0])
