@@ -143,10 +143,9 @@ class GlintRenderEngine(bpy.types.RenderEngine):
         written = RT2Scene(depsgraph, settings.options(), report, bpy.data.materials.get, collection)
         file = os.path.join(folder, f"{name}.json")
         write_text(file, rt2_text(written))
-        options = ["--size", "{}x{}".format(*camera.picture_size(scene.render)), "--aa", str(settings.rt2_aa),
-                   "--shading", settings.shading]
-        if settings.reflections >= 0:
-            options += ["--reflections", str(settings.reflections)]
+        options = ["--size", "{}x{}".format(*camera.picture_size(scene.render))]
+        for key, value in settings.rt2_settings().items():
+            options += [f"--{key}", str(value)]
         return written, file, options
 
     def _is_stopped(self):

@@ -78,6 +78,11 @@ class GlintSceneSettings(bpy.types.PropertyGroup):
     extra_arguments: StringProperty(name="Arguments", description="More arguments of `glint render`, as --seed 3 --no-shadows; "
                                     "quoted as in a shell")
 
+    def rt2_settings(self):
+        """What an RT2 file does not say, by the names of options of `glint render`."""
+        settings = {"aa": str(self.rt2_aa), "shading": self.shading}
+        return settings if self.reflections < 0 else settings | {"reflections": self.reflections}
+
     def options(self, **more):
         return Options(**{name: getattr(self, name) for name in SCENE_SETTINGS}, **more)
 

@@ -31,7 +31,7 @@ class Viewport:
         self._folder = tempfile.TemporaryDirectory(prefix="glint-viewport-")  # pylint: disable=consider-using-with
         self._meshes, self._written, self._wanted = mesh.MeshCache(), None, None
         self._texture, self._is_changed = None, True  # is_changed: the painter has more than the texture
-        self._drawn_at, self._fault = 0.0, ""
+        self._drawn_at, self._fault, self._settings = 0.0, "", None
         _open.add(self)
 
     def close(self):
@@ -57,14 +57,16 @@ class Viewport:
         has_new_meshes = any(update.is_updated_geometry for update in depsgraph.updates)
         if has_new_meshes:
             self._meshes.clear()
-        scene = depsgraph.scene_eval
+        # Not of the evaluated scene: Blender does not evaluate it again when these change.
+        settings = depsgraph.scene.glint
+        self._settings = _values_of(settings)
         name = os.path.join(self._folder.name, "viewport")
-        if scene.glint.picture == "RT2":
-            written = RT2Scene(depsgraph, scene.glint.options(), Report(), bpy.data.materials.get, collection_of(depsgraph.scene))
-            self._written = Written(rt2_text(written), None, "epfl", name + ".json")
+        if settings.picture == "RT2":
+            written = RT2Scene(depsgraph, settings.options(), Report(), bpy.data.materials.get, collection_of(depsgraph.scene))
+            self._written = Written(rt2_text(written), None, "epfl", name + ".json", settings.rt2_settings())
         else:
             space = context.space_data
-            written = SceneText(depsgraph, scene.glint.options(), Report(), bpy.data.materials.get,
+            written = SceneText(depsgraph, settings.options(), Report(), bpy.data.materials.get,
                                 mesh_files=MeshFiles(os.path.join(self._folder.name, "meshes"), "meshes"), view=_view_of(context),
                                 meshes=self._meshes, wanted=lambda item: _is_shown(item, space))
             head, shapes = write_parts(written)
@@ -74,7 +76,9 @@ class Viewport:
 
     def draw(self, context, depsgraph):
         """Blender draws the viewport: when its view has changed, too."""
-        scene, region = depsgraph.scene_eval, context.region
+        scene, region = depsgraph.scene, context.region
+        if self._settings != _values_of(scene.glint):
+            self.update(context, depsgraph)
         painter, engine = self.painter, self._engine()
         if self._fault or self._written is None:
             engine.update_stats("glint", self._fault)
@@ -98,7 +102,7 @@ class Viewport:
         """Whether something new is to be shown."""
         settings = scene.glint
         is_rt2 = settings.picture == "RT2"
-        aa = str(settings.rt2_aa) if is_rt2 else settings.options().samples
+        aa = settings.rt2_settings()["aa"] if is_rt2 else settings.options().samples
         key = camera.camera_block(view), size, aa, scene.render.film_transparent and not is_rt2
         if self._wanted is not None and self._wanted.written is self._written and key == self._key_of(self._wanted):
             return False
@@ -137,6 +141,11 @@ class Viewport:
 def _view_of(context):
     region, data = context.region, context.region_data
     return camera.of_viewport(data.view_matrix, data.window_matrix, (region.width, region.height))
+
+
+def _values_of(settings):
+    """All settings that decide what is drawn."""
+    return settings.picture, settings.options(), tuple(settings.rt2_settings().items())
 
 
 def _is_shown(item, space):

@@ -3,7 +3,7 @@
 that Blender can ask for it in its main thread: threads of Python do not go well with Blender. Imports no bpy."""
 import math
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 STEP_SECONDS = 0.03  # for the first picture of a view, and for each step: 15 a second with what Blender itself needs
 COARSEST = 8  # pixels of the viewport a side for one of the picture
@@ -18,6 +18,7 @@ class Written:
     shapes: str
     format: str
     name: str  # of the file that it would be in; mesh files are beside it
+    settings: dict = field(default_factory=dict)  # by the names of options of `glint render`, in place of the text's
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,6 +44,7 @@ class World:
         old, self._written = self._written, None  # none if this fails
         if written is not old and not (old and self._take_over(written, old)):
             self._scene = self._glint.loads(written.head + (written.shapes or ""), written.format, name=written.name)
+            self._scene.settings.update(written.settings)
             self.loads += 1
         self._written = written
 

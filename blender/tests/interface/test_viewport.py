@@ -126,7 +126,11 @@ class RenderedMode(unittest.TestCase):
             bpy.ops.glint.rt2_exercise()
         self.space.region_3d.view_perspective = "CAMERA"
         self.wait()
-        self.assertGreater(float(self.viewport().painter.picture[..., :3].max()), 0.5)
+        phong = self.viewport().painter.picture.copy()
+        self.assertGreater(float(phong[..., :3].max()), 0.5)
+        self.window.scene.glint.shading = "normals"
+        self.wait()
+        self.assertGreater(float(abs(self.viewport().painter.picture - phong).max()), 0.2)
 
     def test_a_closed_viewport_is_gone(self):
         self.wait()
