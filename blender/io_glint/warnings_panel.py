@@ -67,6 +67,10 @@ class GLINT_OT_select_item(bpy.types.Operator):
 
     name: StringProperty()
 
+    @classmethod
+    def poll(cls, context):
+        return context.mode == "OBJECT"
+
     def execute(self, context):
         objects = context.view_layer.objects
         ob = objects.get(self.name)
