@@ -5,9 +5,12 @@ import re
 import shlex
 
 # A .blend may come from somebody else: it names no file that glint writes. The passes decide how the picture is read.
-_REFUSED = {"--output": "the picture is Blender's", "--stats": "a scene names no file that is written",
+_BLENDERS = "the picture is Blender's"
+_REFUSED = {"--output": _BLENDERS, "--size": _BLENDERS, "--crop": _BLENDERS, "--part": _BLENDERS, "--resume": _BLENDERS,
+            "--stats": "a scene names no file that is written",
             "--aov": "choose the layers in View Layer Properties > Passes"}
-_SHORT_OUTPUT = re.compile(r"-[qh]*o")  # glint takes -qo FILE and -oFILE, too
+_SHORT = re.compile(r"-[qh]*([os])")  # glint takes -qo FILE and -oFILE, too
+_LONG = {"o": "--output", "s": "--size"}
 
 
 class ArgumentsError(RuntimeError):
@@ -32,7 +35,8 @@ def extra_arguments(text):
     except ValueError as error:
         raise ArgumentsError(f"Extra arguments: {error}") from None
     for argument in arguments:
-        name = "--output" if _SHORT_OUTPUT.match(argument) else argument.split("=")[0]
+        short = _SHORT.match(argument)
+        name = _LONG[short[1]] if short else argument.split("=")[0]
         if name in _REFUSED:
             raise ArgumentsError(f"Extra arguments: {name} cannot be given: {_REFUSED[name]}")
     return arguments

@@ -106,6 +106,20 @@ class SceneTest(unittest.TestCase):
         self.scene.world = made
         return made
 
+    # F12.
+
+    def use_engine(self):
+        """glint renders, and pictures are written as they are."""
+        self.scene.render.engine = "GLINT"
+        settings = self.scene.render.image_settings
+        settings.file_format, settings.color_depth, settings.exr_codec, settings.color_mode = "OPEN_EXR", "32", "ZIP", "RGB"
+
+    def picture(self, name="f12"):
+        """F12's picture as an exr.Part."""
+        self.scene.render.filepath = self.path(f"{name}.exr")
+        bpy.ops.render.render(write_still=True)
+        return exr.read(self.scene.render.filepath)[0]
+
     # Exports.
 
     def path(self, name):

@@ -20,15 +20,7 @@ class Engine(SceneTest):
         self.world((0.1, 0.1, 0.2))
         self.add("monkey", material=self.material())
         self.add("plane", size=10, location=(0, 0, -1))
-        self.scene.render.engine = "GLINT"
-        settings = self.scene.render.image_settings
-        settings.file_format, settings.color_depth, settings.exr_codec, settings.color_mode = "OPEN_EXR", "32", "ZIP", "RGB"
-
-    def picture(self, name="f12"):
-        """F12's picture as glint.exr.Part."""
-        self.scene.render.filepath = self.path(f"{name}.exr")
-        bpy.ops.render.render(write_still=True)
-        return exr.read(self.scene.render.filepath)[0]
+        self.use_engine()
 
     def beauty(self, *more):
         self.export()

@@ -14,14 +14,7 @@ class RenderSettings(SceneTest):
         self.lamp()
         self.monkey = self.add("monkey", material=self.material())
         self.modifier = self.monkey.modifiers.new("subdivision", "SUBSURF")
-        self.scene.render.engine = "GLINT"
-        settings = self.scene.render.image_settings
-        settings.file_format, settings.color_depth, settings.exr_codec, settings.color_mode = "OPEN_EXR", "32", "ZIP", "RGB"
-
-    def picture(self, name="f12"):
-        self.scene.render.filepath = self.path(f"{name}.exr")
-        bpy.ops.render.render(write_still=True)
-        return exr.read(self.scene.render.filepath)[0]
+        self.use_engine()
 
     def rendered(self, scene, *more):
         self.glint("render", scene, "-o", self.path("own.exr"), "-q", *more)
@@ -85,5 +78,5 @@ class RenderSettings(SceneTest):
 
     def test_another_size_is_an_error(self):
         self.scene.glint.extra_arguments = "--size 10x10"
-        with self.assertRaises(RuntimeError):
+        with self.assertRaisesRegex(RuntimeError, "--size cannot be given: the picture is Blender's"):
             bpy.ops.render.render()

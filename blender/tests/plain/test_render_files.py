@@ -12,7 +12,7 @@ class RenderFiles(unittest.TestCase):
     def test_arguments(self):
         for text, expected in (("", []), ("  ", []), ("--seed 3 --no-shadows", ["--seed", "3", "--no-shadows"]),
                                ("--convention 'a=b c' \"x y\" # q", ["--convention", "a=b c", "x y", "#", "q"]),
-                               ("--shading=phong;x -qs 2x2", ["--shading=phong;x", "-qs", "2x2"])):
+                               ("--shading=phong;x -q", ["--shading=phong;x", "-q"])):
             self.assertEqual(extra_arguments(text), expected)
 
     def test_backslashes_of_windows(self):
@@ -21,7 +21,7 @@ class RenderFiles(unittest.TestCase):
 
     def test_what_is_refused(self):
         for text in ("-o a.png", "-oa.png", "-qo a.png", "--output a.png", "--output=a.png", "--stats a.json", "--stats=a.json",
-                     "--aov normal", "'unfinished"):
+                     "-s 2x2", "-qs2x2", "--size=2x2", "--crop 2x2+0+0", "--part 1/2", "--resume", "--aov normal", "'unfinished"):
             with self.assertRaisesRegex(ArgumentsError, "^Extra arguments: "):
                 extra_arguments(text)
 
