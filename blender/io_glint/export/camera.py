@@ -15,7 +15,7 @@ class CameraError(Exception):
 
 @dataclass
 class View:
-    """World space. corners: top left, top right and bottom left of the picture, in camera space."""
+    """What a camera sees, in world space."""
 
     name: str
     position: tuple
