@@ -15,7 +15,7 @@ from .export.mesh_file import MeshFiles
 from .export.rt2 import RT2Scene, rt2_text
 from .export.scene import SceneText, Stopped, write
 from .preferences import glint_path, wanted_path
-from .render_files import extra_arguments, kept_name
+from .render_settings import extra_arguments, kept_name
 from .viewport import Viewport, viewports
 
 POLL = 0.02  # seconds

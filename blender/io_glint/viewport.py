@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A 3D viewport in rendered mode: what changes in Blender is asked of a painter, and its picture is drawn."""
+"""A 3D viewport in rendered mode: what changes in Blender is asked of a renderer, and its picture is drawn."""
 import os
 import re
 import tempfile
@@ -16,7 +16,7 @@ from .export.mesh_file import MeshFiles
 from .export.report import Report
 from .export.rt2 import RT2Scene, rt2_text
 from .export.scene import SceneText, write_parts
-from .viewport_painter import Painter, Wanted, Written
+from .progressive_renderer import ProgressiveRenderer, ViewRequest, SceneParts
 
 REST = 0.002  # seconds between two steps, for the user's events
 SHOWN_SECONDS = 0.2  # between two states of a picture that are drawn: Blender itself may need as long as several steps
@@ -27,10 +27,10 @@ class Viewport:
     """The picture of one viewport; the engine owns it, and closes it."""
 
     def __init__(self, engine, glint):
-        self._engine, self.painter, self._timer = weakref.ref(engine), Painter(glint), self._refine
+        self._engine, self.renderer, self._timer = weakref.ref(engine), ProgressiveRenderer(glint), self._refine
         self._folder = tempfile.TemporaryDirectory(prefix="glint-viewport-")  # pylint: disable=consider-using-with
         self._meshes, self._written, self._wanted = mesh.MeshCache(), None, None
-        self._texture, self._is_changed = None, True  # is_changed: the painter has more than the texture
+        self._texture, self._is_changed = None, True  # is_changed: the renderer has more than the texture
         self._drawn_at, self._fault, self._settings = 0.0, "", None
         _open.add(self)
 
@@ -63,14 +63,14 @@ class Viewport:
         name = os.path.join(self._folder.name, "viewport")
         if settings.picture == "RT2":
             written = RT2Scene(depsgraph, settings.options(), Report(), bpy.data.materials.get, collection_of(depsgraph.scene))
-            self._written = Written(rt2_text(written), None, "epfl", name + ".json", settings.rt2_settings())
+            self._written = SceneParts(rt2_text(written), None, "epfl", name + ".json", settings.rt2_settings())
         else:
             space = context.space_data
             written = SceneText(depsgraph, settings.options(), Report(), bpy.data.materials.get,
                                 mesh_files=MeshFiles(os.path.join(self._folder.name, "meshes"), "meshes"), view=_view_of(context),
                                 meshes=self._meshes, wanted=lambda item: _is_shown(item, space))
             head, shapes = write_parts(written)
-            self._written = Written(head, shapes, "glint", name + ".glint")
+            self._written = SceneParts(head, shapes, "glint", name + ".glint")
             if has_new_meshes:  # else the cache has meshes that are hidden now, and their files
                 self._remove_files(shapes)
 
@@ -79,18 +79,18 @@ class Viewport:
         scene, region = depsgraph.scene, context.region
         if self._settings != _values_of(scene.glint):
             self.update(context, depsgraph)
-        painter, engine = self.painter, self._engine()
+        renderer, engine = self.renderer, self._engine()
         if self._fault or self._written is None:
             engine.update_stats("glint", self._fault)
             return
         if self._ask(_view_of(context), (region.width, region.height), scene):
-            painter.step()
+            renderer.step()
             self._is_changed = True
-        engine.update_stats("glint", painter.fault or ("" if painter.is_final else "rendering"))
-        if painter.picture is None or painter.fault:
+        engine.update_stats("glint", renderer.fault or ("" if renderer.is_final else "rendering"))
+        if renderer.picture is None or renderer.fault:
             return
         if self._is_changed:
-            self._texture, self._is_changed = _texture_of(painter.picture), False
+            self._texture, self._is_changed = _texture_of(renderer.picture), False
         gpu.state.blend_set("ALPHA_PREMULT")
         engine.bind_display_space_shader(depsgraph.scene)
         draw_texture_2d(self._texture, (0, 0), region.width, region.height)
@@ -103,32 +103,28 @@ class Viewport:
         settings = scene.glint
         is_rt2 = settings.picture == "RT2"
         aa = settings.rt2_settings()["aa"] if is_rt2 else settings.options().samples
-        key = camera.camera_block(view), size, aa, scene.render.film_transparent and not is_rt2
-        if self._wanted is not None and self._wanted.written is self._written and key == self._key_of(self._wanted):
+        wanted = ViewRequest(self._written, camera.camera_block(view), size, aa, scene.render.film_transparent and not is_rt2)
+        if wanted == self._wanted:
             return False
-        self._wanted = Wanted(self._written, *key)
-        self.painter.ask(self._wanted)
+        self._wanted = wanted
+        self.renderer.ask(wanted)
         if not bpy.app.timers.is_registered(self._timer):
             bpy.app.timers.register(self._timer, first_interval=REST)
         return True
-
-    @staticmethod
-    def _key_of(wanted):
-        return wanted.camera, wanted.size, wanted.aa, wanted.alpha
 
     def _refine(self):
         """The next step of the picture; Blender's timer calls it, between the user's events."""
         engine = self._engine()
         if engine is None or self._timer is None:
             return None
-        self.painter.step()
+        self.renderer.step()
         self._is_changed = True
         try:
-            if self.painter.is_final or time.monotonic() - self._drawn_at > SHOWN_SECONDS:
+            if self.renderer.is_final or time.monotonic() - self._drawn_at > SHOWN_SECONDS:
                 engine.tag_redraw()
         except ReferenceError:  # Blender has freed it
             return None
-        return None if self.painter.is_final else REST
+        return None if self.renderer.is_final else REST
 
     def _remove_files(self, shapes):
         """Removes files of meshes that are no longer there."""

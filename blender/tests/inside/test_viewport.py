@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The viewport's painter, without a window: its pictures, its steps, and what it reads again."""
+"""The viewport's renderer, without a window: its pictures, its steps, and what it reads again."""
 import math
 import time
 
 import bpy
-from io_glint import python_module, viewport_painter
+from io_glint import progressive_renderer, python_module
 from io_glint.export import camera, options, report, scene
 from mathutils import Matrix
 from support import SceneTest
@@ -39,7 +39,7 @@ class Views(SceneTest):
 
 
 class Pictures(SceneTest):
-    """The painter's pictures of a scene in Blender."""
+    """The renderer's pictures of a scene in Blender."""
 
     def setUp(self):
         super().setUp()
@@ -50,23 +50,23 @@ class Pictures(SceneTest):
         self.red = self.material("red", Roughness=0.3)
         self.ball = self.add("uv_sphere", smooth=True, material=self.red, location=(0, 0, 1))
         self.floor = self.add("plane", size=20)
-        self.painter = viewport_painter.Painter(self.glint)
+        self.renderer = progressive_renderer.ProgressiveRenderer(self.glint)
 
     def wanted(self, aa="1", size=(48, 32), meshes=None):
         bpy.context.view_layer.update()
         text = scene.SceneText(bpy.context.evaluated_depsgraph_get(), options.Options(), report.Report(), bpy.data.materials.get,
                                meshes=meshes)
         head, shapes = scene.write_parts(text)
-        written = viewport_painter.Written(head, shapes, "glint", self.path("viewport.glint"))
-        return viewport_painter.Wanted(written, camera.camera_block(text.view), size, aa, False)
+        written = progressive_renderer.SceneParts(head, shapes, "glint", self.path("viewport.glint"))
+        return progressive_renderer.ViewRequest(written, camera.camera_block(text.view), size, aa, False)
 
     def picture(self, wanted):
         """The final picture."""
-        self.painter.ask(wanted)
-        while not self.painter.is_final:
-            self.painter.step()
-        self.assertEqual(self.painter.fault, "")
-        return self.painter.picture
+        self.renderer.ask(wanted)
+        while not self.renderer.is_final:
+            self.renderer.step()
+        self.assertEqual(self.renderer.fault, "")
+        return self.renderer.picture
 
     def rendered(self, aa, size=(48, 32)):
         """What the exported scene gives."""
@@ -81,7 +81,7 @@ class Pictures(SceneTest):
     def check_edit(self, loads):
         """After an edit, the picture is that of a new scene, and the shapes were read so often."""
         self.assertTrue((self.picture(self.wanted())[..., :3] == self.rendered(1)).all())
-        self.assertEqual(self.painter.loads, loads)
+        self.assertEqual(self.renderer.loads, loads)
 
     def test_only_other_shapes_are_read_again(self):
         before = self.picture(self.wanted())
@@ -101,42 +101,42 @@ class Pictures(SceneTest):
 
     def test_a_large_picture_comes_in_short_steps(self):
         wanted = self.wanted("12", (640, 480))
-        self.painter.ask(wanted)
-        self.painter.step()
-        first = self.painter.picture
+        self.renderer.ask(wanted)
+        self.renderer.step()
+        first = self.renderer.picture
         self.assertLess(first.shape[0], 480)  # coarse
         times = []
-        while not self.painter.is_final:
+        while not self.renderer.is_final:
             start = time.perf_counter()
-            self.painter.step()
+            self.renderer.step()
             times.append(time.perf_counter() - start)
         self.assertGreater(len(times), 5)
         self.assertLess(sorted(times)[len(times) // 2], 0.2)  # 0.03 are aimed at; other programs may run
         self.assertLess(max(times), 1)
-        self.assertTrue((self.painter.picture[..., :3] == self.rendered(12, (640, 480))).all())
+        self.assertTrue((self.renderer.picture[..., :3] == self.rendered(12, (640, 480))).all())
 
     def test_a_newer_view_replaces_an_older_one(self):
-        self.painter.ask(self.wanted("16", (1200, 900)))
+        self.renderer.ask(self.wanted("16", (1200, 900)))
         for _ in range(3):
-            self.painter.step()
-        self.assertFalse(self.painter.is_final)
+            self.renderer.step()
+        self.assertFalse(self.renderer.is_final)
         self.assertEqual(self.picture(self.wanted()).shape, (32, 48, 4))
 
     def test_a_fault_is_said_and_the_next_scene_is_shown(self):
         good = self.wanted()
-        bad = viewport_painter.Wanted(viewport_painter.Written("sphere { radius = oops }", "", "glint", "bad.glint"), good.camera,
-                                      (48, 32), "1", False)
-        self.painter.ask(bad)
-        self.painter.step()
-        self.assertTrue(self.painter.is_final)
-        self.assertIn("bad.glint:1:", self.painter.fault)
+        parts = progressive_renderer.SceneParts("sphere { radius = oops }", "", "glint", "bad.glint")
+        bad = progressive_renderer.ViewRequest(parts, good.camera, (48, 32), "1", False)
+        self.renderer.ask(bad)
+        self.renderer.step()
+        self.assertTrue(self.renderer.is_final)
+        self.assertIn("bad.glint:1:", self.renderer.fault)
         self.assertTrue((self.picture(good)[..., :3] == self.rendered(1)).all())
 
     def test_a_transparent_film_is_premultiplied(self):
         self.floor.hide_viewport = True
         wanted = self.wanted()
         opaque = self.picture(wanted)
-        clear = self.picture(viewport_painter.Wanted(wanted.written, wanted.camera, wanted.size, "1", True))
+        clear = self.picture(progressive_renderer.ViewRequest(wanted.written, wanted.camera, wanted.size, "1", True))
         self.assertEqual((clear[..., 3].min(), clear[..., 3].max()), (0, 1))
         self.assertTrue((clear[clear[..., 3] == 1] == opaque[clear[..., 3] == 1]).all())
 

@@ -49,10 +49,10 @@ class RenderedMode(unittest.TestCase):
         """Draws until the picture is final, as Blender's timer does."""
         self.redraw()
         viewport, end = self.viewport(), time.monotonic() + SECONDS
-        while not viewport.painter.is_final and time.monotonic() < end:
-            viewport.painter.step()
-        self.assertEqual(viewport.painter.fault, "")
-        self.assertTrue(viewport.painter.is_final)
+        while not viewport.renderer.is_final and time.monotonic() < end:
+            viewport.renderer.step()
+        self.assertEqual(viewport.renderer.fault, "")
+        self.assertTrue(viewport.renderer.is_final)
         viewport._is_changed = True  # pylint: disable=protected-access
         self.redraw()
 
@@ -76,12 +76,12 @@ class RenderedMode(unittest.TestCase):
         self.assertEqual(one[:2], other[:2])
         return statistics.fmean(abs(a - b) for a, b in zip(one[2], other[2]))
 
-    def test_the_painters_picture_is_shown(self):
+    def test_the_renderers_picture_is_shown(self):
         """With Blender's view transform, in its place: (0, 0) is the corner at the bottom left."""
         self.space.region_3d.view_perspective, self.space.region_3d.view_distance = "PERSP", 6
         self.wait()
         width, height, shown = self.screenshot()
-        picture = self.viewport().painter.picture
+        picture = self.viewport().renderer.picture
         self.assertEqual(picture.shape[:2], (height, width))
         values = []
         for y in range(20, height - 40, 25):
@@ -96,14 +96,14 @@ class RenderedMode(unittest.TestCase):
     def test_edits_are_followed(self):
         self.wait()
         before = self.screenshot()
-        loads = self.viewport().painter.loads
+        loads = self.viewport().renderer.loads
         lamp = next(ob for ob in self.scene.objects if ob.type == "LIGHT")
         old = lamp.data.energy
         lamp.data.energy = 20 * old
         self.wait()
         brighter = self.screenshot()
         self.assertGreater(self.difference(before, brighter), 0.003)
-        self.assertEqual(self.viewport().painter.loads, loads)  # no shape was read again
+        self.assertEqual(self.viewport().renderer.loads, loads)  # no shape was read again
         lamp.data.energy = old
         self.wait()
         self.assertLess(self.difference(before, self.screenshot()), 1e-3)
@@ -126,11 +126,11 @@ class RenderedMode(unittest.TestCase):
             bpy.ops.glint.rt2_exercise()
         self.space.region_3d.view_perspective = "CAMERA"
         self.wait()
-        phong = self.viewport().painter.picture.copy()
+        phong = self.viewport().renderer.picture.copy()
         self.assertGreater(float(phong[..., :3].max()), 0.5)
         self.window.scene.glint.shading = "normals"
         self.wait()
-        self.assertGreater(float(abs(self.viewport().painter.picture - phong).max()), 0.2)
+        self.assertGreater(float(abs(self.viewport().renderer.picture - phong).max()), 0.2)
 
     def test_a_closed_viewport_is_gone(self):
         self.wait()

@@ -5,10 +5,10 @@ import types
 import unittest
 from unittest import mock
 
-from io_glint.render_files import ArgumentsError, extra_arguments, kept_name
+from io_glint.render_settings import ArgumentsError, extra_arguments, kept_name
 
 
-class RenderFiles(unittest.TestCase):
+class RenderSettings(unittest.TestCase):
     def test_arguments(self):
         for text, expected in (("", []), ("  ", []), ("--seed 3 --no-shadows", ["--seed", "3", "--no-shadows"]),
                                ("--convention 'a=b c' \"x y\" # q", ["--convention", "a=b c", "x y", "#", "q"]),

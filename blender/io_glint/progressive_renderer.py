@@ -11,7 +11,7 @@ LONGEST_SECONDS = 0.1  # a step that takes longer is given up, and done again in
 
 
 @dataclass(frozen=True, eq=False)
-class Written:
+class SceneParts:
     """A scene's text: all but the shapes, and the shapes. shapes is None if the format has no such parts."""
 
     head: str
@@ -21,11 +21,11 @@ class Written:
     settings: dict = field(default_factory=dict)  # by the names of options of `glint render`, in place of the text's
 
 
-@dataclass(frozen=True, eq=False)
-class Wanted:
-    """A view of a scene."""
+@dataclass(frozen=True)
+class ViewRequest:
+    """A view of a scene. Equal ones have the same SceneParts, not only equal ones."""
 
-    written: Written
+    written: SceneParts
     camera: str  # camera { } of a .glint text
     size: tuple  # pixels
     aa: str  # samples, as of `glint render --aa`
@@ -86,7 +86,7 @@ class _TooLong(Exception):
     """A step is to be done in smaller parts."""
 
 
-class Painter:
+class ProgressiveRenderer:
     """The picture of what was asked for last."""
 
     def __init__(self, glint):
@@ -120,7 +120,7 @@ class Painter:
                 self.picture = self._timed(scale, aa, None)
                 self._end_stage()
             else:
-                self._paint_band(aa)
+                self._render_band(aa)
             self.fault = ""
         except Exception as error:  # pylint: disable=broad-except
             self.fault, self._stages = str(error) or type(error).__name__, []  # for the viewport
@@ -143,7 +143,7 @@ class Painter:
         width, height = self._wanted.size
         return self._row == 0 and (scale > 1 or self._expected(aa) * width * height <= STEP_SECONDS)
 
-    def _paint_band(self, aa):
+    def _render_band(self, aa):
         width, height = self._wanted.size
         if self._row == 0:
             self.picture = _enlarged(self.picture, width, height)
