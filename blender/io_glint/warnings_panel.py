@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Render Properties > glint: warnings: those of the last F12 or export, each with what it is about."""
 import re
-import textwrap
 
 import bpy
 from bpy.props import StringProperty
+
+from .labels import draw_sentence
 
 MAX_ROWS = 100  # the others are copied only
 _kept = []  # (item, text)
@@ -45,7 +46,6 @@ class RENDER_PT_glint_warnings(bpy.types.Panel):
             layout.label(text="The last render and export had none")
             return
         layout.operator(GLINT_OT_copy_warnings.bl_idname, icon="COPYDOWN")
-        letters = max(20, int(context.region.width / (8 * context.preferences.system.ui_scale)))
         for item, text in _kept[:MAX_ROWS]:
             column = layout.box().column(align=True)
             row = column.row()
@@ -53,8 +53,7 @@ class RENDER_PT_glint_warnings(bpy.types.Panel):
             name = object_name(item, context.view_layer.objects)
             if name is not None:
                 row.operator(GLINT_OT_select_item.bl_idname, text="", icon="RESTRICT_SELECT_OFF").name = name
-            for line in textwrap.wrap(text, letters):
-                column.label(text=line)
+            draw_sentence(column, text)
         if len(_kept) > MAX_ROWS:
             layout.label(text=f"and {len(_kept) - MAX_ROWS} more: copy them")
 
