@@ -32,6 +32,7 @@ template <class Of> const char* type_of(const ExplainedTerm<Of>& term, const Typ
 }
 const char* type_of(double, const Types& types) { return types.number; }
 const char* type_of(std::int32_t, const Types& types) { return types.whole; }
+const char* type_of(std::uint32_t, const Types& types) { return types.infinite; }
 const char* type_of(bool, const Types& types) { return types.flag; }
 const char* type_of(const Color&, const Types& types) { return types.vector; }
 
@@ -143,6 +144,7 @@ void write_schema(Files& files) {
     put("hit_terms", schema_of(k_hit_terms));
     put("light_terms", schema_of(k_light_terms));
     put("shadow_sample_terms", schema_of(k_shadow_sample_terms));
+    put("texture_terms", schema_of(k_texture_terms));
     put("occlusion_terms", schema_of(k_occlusion_terms));
     files.put("docs/explain.schema.json", schema);
 }
@@ -154,6 +156,7 @@ void write_types(Files& files) {
                        interface_of("HitTerms", k_hit_terms) + "\n" +
                        interface_of("LightTermValues", k_light_terms) + "\n" +
                        interface_of("ShadowSampleTerms", k_shadow_sample_terms) + "\n" +
+                       interface_of("TextureTerms", k_texture_terms) + "\n" +
                        interface_of("OcclusionTerms", k_occlusion_terms));
     files.put("src/wasm/glint.d.mts", types);
 }
@@ -164,7 +167,7 @@ void write_document(Files& files) {
                    "\n| of a | term | |\n|---|---|---|\n" + rows_of("ray", k_ray_terms) +
                        rows_of("hit", k_hit_terms) + rows_of("light", k_light_terms) +
                        rows_of("sample of an area light", k_shadow_sample_terms) +
-                       rows_of("occlusion", k_occlusion_terms) + "\n");
+                       rows_of("texture", k_texture_terms) + rows_of("occlusion", k_occlusion_terms) + "\n");
     files.put("docs/explain.md", document);
 }
 

@@ -23,7 +23,7 @@ struct SourcePlace {
     friend bool operator==(const SourcePlace&, const SourcePlace&) = default;
 };
 
-/// The parts of a Scene that a message can be about. Those from `light` to `shape` are lists.
+/// The parts of a Scene that a message can be about. Those from `light` to `shape`, and textures, are lists.
 enum class SceneItem : std::uint8_t {
     none,
     camera,
@@ -33,7 +33,8 @@ enum class SceneItem : std::uint8_t {
     material,
     transform,
     shape,
-    fog
+    fog,
+    texture
 };
 
 /// One message about the input: where, what was expected, what was found.
@@ -47,8 +48,8 @@ struct Diagnostic {
     std::string source_line;   ///< the line's text around the place, for the caret; may be shortened
     std::uint32_t caret = 0;   ///< byte offset of the place within source_line
     /// The item that the message is about, for scenes from text and scenes made in code. index: in
-    /// Scene::lights, materials, transforms or shapes, or for a setting in setting_keys(); 0 for the camera,
-    /// the background and the fog.
+    /// Scene::lights, materials, transforms, shapes or textures, or for a setting in setting_keys(); 0 for
+    /// the camera, the background and the fog.
     SceneItem item = SceneItem::none;
     std::uint32_t index = 0;
     /// The number of objects that this warning says are left out (LoadOptions::skip_unsupported).

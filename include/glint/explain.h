@@ -113,16 +113,29 @@ struct ExplainedOcclusion {
     std::vector<Occluder> occluders;  ///< the shape with the most samples first
 };
 
+/// What a texture shows at a surface's point.
+struct ExplainedTexture {
+    std::uint32_t texture = k_none;  ///< in Scene::textures
+    double u = 0, v = 0;             ///< of the surface, after Texture::uv_map
+    /// The texels that are mixed: two columns, counted from the left from 0, and two rows, from the top. With
+    /// TextureFilter::nearest, the second ones are the first.
+    int column = 0, next_column = 0, row = 0, next_row = 0;
+    double next_column_weight = 0, next_row_weight = 0;  ///< the first ones have 1 minus these
+    Color color;                                         ///< decoded and mixed
+    double alpha = 1;
+};
+
 struct ExplainedHit {
     std::uint32_t shape = k_none;     ///< in Scene::shapes
     std::uint32_t material = k_none;  ///< in Scene::materials; k_none: the default material
     std::uint32_t element = 0;        ///< the part of the shape: the triangle of a polygon or mesh, from 0
     std::optional<Color> color;       ///< the shape's own color, in place of the material's
-    Vec3 point, normal, to_eye;       ///< N as used for shading, unit; V
-    bool behind = false;              ///< the ray came from the back of the shape
-    bool turned = false;              ///< N was flipped towards the ray
-    Color weight;                     ///< the ray's weight after absorption in glass and in fog
-    double mirror = 0;                ///< a in the direction of the ray
+    std::optional<ExplainedTexture> texture;  ///< if the material has one that shows something here
+    Vec3 point, normal, to_eye;               ///< N as used for shading, unit; V
+    bool behind = false;                      ///< the ray came from the back of the shape
+    bool turned = false;                      ///< N was flipped towards the ray
+    Color weight;                             ///< the ray's weight after absorption in glass and in fog
+    double mirror = 0;                        ///< a in the direction of the ray
     /// The factor of ambient and diffuse light and of emission; the rest is mirror and glass.
     double local_share = 1;
     Color ambient;                   ///< k_a I_a; for shading color or normals, the shown color
@@ -244,7 +257,7 @@ GLINT_API HighlightReason highlight_reason(const LightTerms& terms, const Explai
                                            const Scene& scene);
 
 /// The material of a hit: the scene's, or the default if the scene has no material with that index; with the
-/// shape's own color, if it has one.
+/// shape's own color, if it has one, and the color of the texture at the point.
 GLINT_API Material material_of(const ExplainedHit& hit, const Scene& scene);
 
 /// The names of these values in JSON and messages: "turned_away". "unknown" for invalid values.

@@ -24,7 +24,7 @@ constexpr Float3 to_single(const Vec3& v) {
 /// The numbers of a triangle's three vertices, or of the values at them.
 using TriangleCorners = std::array<std::uint32_t, 3>;
 
-/// Normals or colors at the corners of a mesh's triangles.
+/// Normals, colors or texture coordinates at the corners of a mesh's triangles.
 struct CornerValues {
     /// As the number of a value: the triangle has none.
     static constexpr std::uint32_t k_none = 0xffffffff;
@@ -50,6 +50,9 @@ struct MeshData {
     CornerValues normals;
     /// Linear, at least 0. They replace the color of the shape (ShapeColor), and are interpolated.
     CornerValues colors;
+    /// u and v of textures (Texture), any finite numbers; z is not used. Interpolated. A triangle without
+    /// them has no texture.
+    CornerValues texture_coordinates;
 
     std::size_t vertex_count() const {
         return single_positions.empty() ? positions.size() : single_positions.size();

@@ -16,6 +16,7 @@
 #include "glint/item_names.h"
 #include "glint/mesh.h"
 #include "glint/shapes.h"
+#include "glint/texture.h"
 #include "glint/vec.h"
 
 namespace glint {
@@ -285,6 +286,9 @@ struct Material {
     /// number are one object, as the triangles of a mesh; at most k_max_interior.
     std::int32_t interior = 0;
 
+    /// Into Scene::textures; k_none: none.
+    std::uint32_t texture = k_none;
+
     constexpr bool is_transparent() const { return filter > 0 || transmit > 0; }
 };
 
@@ -333,6 +337,7 @@ struct Scene {
     std::vector<Affine> transforms;                       ///< world_from_object, invertible
     std::vector<Vec3> polygon_vertices;                   ///< referred to by Polygons
     std::vector<std::shared_ptr<const MeshData>> meshes;  ///< referred to by Meshes; shared by copies
+    std::vector<Texture> textures;                        ///< referred to by materials
     /// By mesh: the index in `files` of the file that it was read from, which has no other mesh; k_no_file:
     /// none. A shorter list: the other meshes are of no file.
     std::vector<std::uint16_t> mesh_files;
@@ -349,7 +354,7 @@ struct Scene {
     std::string profile = "glint";
     std::vector<SettingOrigin> origins;  ///< by setting key; may be empty (all from the profile)
     std::vector<std::string> files;      ///< the names of the texts it was read from
-    ItemTexts light_texts, material_texts, shape_texts;
+    ItemTexts light_texts, material_texts, texture_texts, shape_texts;
     SourcePlace camera_place, background_place, fog_place, gradient_place, occlusion_place;
 
     /// The parameters of all shapes of one kind, e.g. get<Sphere>().
@@ -410,6 +415,11 @@ GLINT_API std::string_view to_string(LightKind kind);
 GLINT_API std::string_view to_string(FogKind kind);
 GLINT_API std::string_view to_string(OcclusionMethod method);
 GLINT_API std::string_view to_string(GradientKind kind);
+GLINT_API std::string_view to_string(TextureWrap wrap);
+GLINT_API std::string_view to_string(TextureFilter filter);
+GLINT_API std::string_view to_string(TextureMix mix);
+GLINT_API std::string_view to_string(TextureEncoding encoding);
+GLINT_API std::string_view to_string(TextureMapping mapping);
 
 /// Checks every number and index of the scene; prepare() needs a scene without errors. Warnings report
 /// likely mistakes (no lights: the picture will be black). Messages have the item's place if it is

@@ -34,6 +34,23 @@ inline std::int32_t from_python(const WholeType& type, const py::handle& value, 
     if (whole == number) return whole;
     throw py::value_error(fmt::format("{}: expected {}, found {}", name, type.range.text, repr_of(value)));
 }
+/// The number of a texture of the scene, or None.
+inline std::uint32_t from_python(const TextureType&, const py::handle& value, std::string_view name) {
+    constexpr Range range{0, 4294967294.0, false, false, "a whole number from 0, or None"};
+    if (value.is_none()) return k_none;
+    const double number = to_number(value, name, range);
+    const auto whole = static_cast<std::uint32_t>(number);
+    if (whole == number) return whole;
+    throw py::value_error(fmt::format("{}: expected {}, found {}", name, range.text, repr_of(value)));
+}
+template <class Choice>
+Choice from_python(const ChoiceType& type, const py::handle& value, std::string_view name) {
+    const std::string word = py::isinstance<py::str>(value) ? value.cast<std::string>() : std::string();
+    const auto at = std::find(type.words.begin(), type.words.end(), word);
+    if (at != type.words.end()) return static_cast<Choice>(at - type.words.begin());
+    throw py::value_error(
+        fmt::format("{}: expected one of {}, found {}", name, fmt::join(type.words, ", "), repr_of(value)));
+}
 inline bool from_python(const BoolType&, const py::handle& value, std::string_view name) {
     if (py::isinstance<py::bool_>(value)) return value.cast<bool>();
     throw py::value_error(fmt::format("{}: expected True or False, found {}", name, repr_of(value)));

@@ -72,6 +72,10 @@ bool is_number(const py::handle& value) {
 }
 
 py::object to_python(double x) { return py::float_(x); }
+py::object to_python(std::uint32_t x) {
+    if (x == k_none) return py::none();
+    return py::int_(x);
+}
 py::object to_python(std::int32_t x) { return py::int_(x); }
 py::object to_python(bool x) { return py::bool_(x); }
 py::object to_python(const Vec3& v) { return from_package("glint._values", "Vec3")(v.x, v.y, v.z); }

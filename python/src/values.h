@@ -20,6 +20,8 @@ py::object from_package(const char* module, const char* name);
 
 py::object to_python(double x);
 py::object to_python(std::int32_t x);
+/// None for k_none.
+py::object to_python(std::uint32_t x);
 py::object to_python(bool x);
 py::object to_python(const Vec3& v);
 py::object to_python(const Color& c);

@@ -134,13 +134,16 @@ std::string item_path(const Diagnostic& d) {
             return listed("shapes");
         case SceneItem::fog:
             return "fog";
+        case SceneItem::texture:
+            return listed("textures");
     }
     return {};
 }
 
 std::string place_text(const Diagnostic& d) {
     if (d.file.empty()) {
-        const bool is_listed = d.item >= SceneItem::light && d.item <= SceneItem::shape;
+        const bool is_listed =
+            (d.item >= SceneItem::light && d.item <= SceneItem::shape) || d.item == SceneItem::texture;
         return is_listed ? item_path(d) : std::string();
     }
     return d.line == 0 ? d.file : fmt::format("{}:{}:{}", d.file, d.line, d.column);

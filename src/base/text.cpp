@@ -152,6 +152,13 @@ std::string one_of(std::span<const std::string_view> words) {
     return text;
 }
 
+int hex_digit(char c) {
+    return c >= '0' && c <= '9'   ? c - '0'
+           : c >= 'a' && c <= 'f' ? c - 'a' + 10
+           : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                  : -1;
+}
+
 std::string with_article(std::string_view word) {
     const bool has_vowel =
         !word.empty() && std::string_view("aeiou").find(word.front()) != std::string_view::npos;

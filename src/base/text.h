@@ -39,6 +39,9 @@ std::string one_of(std::span<const std::string_view> words);
 /// "a point", "an ambient": by the first letter.
 std::string with_article(std::string_view word);
 
+/// The value of a hexadecimal digit; -1 of other characters.
+int hex_digit(char c);
+
 /// Whether a file's name does not depend on a folder: "/a"; on Windows "C:/a", too.
 bool is_absolute_path(std::string_view name);
 

@@ -19,6 +19,7 @@ namespace {
 
 std::string value_text(double x) { return number(x); }
 std::string value_text(std::int32_t n) { return fmt::format("{}", n); }
+std::string value_text(std::uint32_t n) { return fmt::format("{}", n); }
 std::string value_text(bool b) { return b ? "true" : "false"; }
 std::string value_text(Color c) { return color(c); }
 
@@ -35,12 +36,31 @@ std::string item_text(const Scene& scene, const ItemTexts& texts, std::uint32_t 
 std::string extended_text(const Material& m) {
     std::string text;
     for (const ItemField<Material>& field : k_extended_fields) {
-        if (same_bits(field, m, Material{})) continue;
+        if (same_bits(field, m, Material{}) || is_field_of(field, &Material::texture)) continue;
         visit_field(field, m, [&](const auto&, const auto& value) {
             text += fmt::format(", {} {}", field.label, value_text(value));
         });
     }
     return text;
+}
+
+// "texture 'wood' (a.glint:3:1) at u 0.25, v 0.5: columns 3 and 4 (0.25), ..."
+std::string texture_text(const Scene& scene, const ExplainedTexture& t) {
+    const Texture& texture = scene.textures[t.texture];
+    std::string text =
+        fmt::format("{} at u {}, v {}: ", item_text(scene, scene.texture_texts, t.texture, "texture"),
+                    number(t.u), number(t.v));
+    if (texture.filter == TextureFilter::nearest) {
+        text += fmt::format("texel in column {}, row {}", t.column, t.row);
+    } else {
+        text += fmt::format("texels in columns {} ({}) and {} ({}), rows {} ({}) and {} ({})", t.column,
+                            number(1 - t.next_column_weight), t.next_column, number(t.next_column_weight),
+                            t.row, number(1 - t.next_row_weight), t.next_row, number(t.next_row_weight));
+    }
+    text += fmt::format(", color {}", color(t.color));
+    if (t.alpha != 1) text += fmt::format(", alpha {}", number(t.alpha));
+    return text + (texture.mix == TextureMix::multiply ? ", which multiplies color, k_a and k_d"
+                                                       : ", which replaces the color");
 }
 
 std::string material_text(const Scene& scene, const ExplainedHit& hit) {
@@ -122,6 +142,7 @@ class Tree {
                                                   ? std::string()
                                                   : "; P in the mesh's coordinates " + vec(hit.mesh_point)));
         }
+        if (hit.texture) text_.line(depth + 1, texture_text(scene_, *hit.texture));
         text_.line(depth + 1, material_text(scene_, hit));
         const Shading shading = scene_.settings.shading;
         if (shading == Shading::color || shading == Shading::normals) {

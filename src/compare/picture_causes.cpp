@@ -5,6 +5,7 @@
 #include "glint/compare.h"
 #include "image/quantize.h"
 #include "math/elementary.h"
+#include "math/srgb.h"
 
 namespace glint {
 namespace {
@@ -95,7 +96,7 @@ const std::vector<PictureCause>& picture_causes() {
         {"gamma-applied",
          "The sRGB curve was applied once more than in the reference: omit it (or, if the reference has it, "
          "apply it only once, at the end).",
-         k_curved, curved(srgb_encode), 0, false, false, curved(srgb_decoded)},
+         k_curved, curved(srgb_encode), 0, false, false, curved(srgb_decode)},
         {"gamma-applied",
          "A gamma of 1/2.2 was applied once more than in the reference: omit it (or, if the reference has "
          "it, apply it only once, at the end).",
@@ -103,7 +104,7 @@ const std::vector<PictureCause>& picture_causes() {
         {"gamma-missing",
          "The reference has the sRGB curve and the picture does not (or its colors were decoded once too "
          "often): apply the curve once, at the end.",
-         k_curved, curved(srgb_decoded), 0, false, false, curved(srgb_encode)},
+         k_curved, curved(srgb_decode), 0, false, false, curved(srgb_encode)},
         {"gamma-missing",
          "The reference has a gamma of 1/2.2 and the picture does not (or it was decoded once too often): "
          "apply it once, at the end.",
@@ -112,7 +113,7 @@ const std::vector<PictureCause>& picture_causes() {
          "The sRGB curve was applied two times more than in the reference: omit it (or, if the reference has "
          "it, apply it only once, at the end).",
          k_curved, curved([](double v) { return srgb_encode(srgb_encode(v)); }), 0, false, false,
-         curved([](double v) { return srgb_decoded(srgb_decoded(v)); })},
+         curved([](double v) { return srgb_decode(srgb_decode(v)); })},
         {"gamma-twice",
          "A gamma of 1/2.2 was applied two times more than in the reference: omit it (or, if the reference "
          "has it, apply it only once, at the end).",

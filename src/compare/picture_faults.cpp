@@ -198,8 +198,6 @@ PictureFault curved(std::function<double(double)> curve) {
     };
 }
 
-double srgb_decoded(double v) { return v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4); }
-
 PictureFault scaled() {
     return [](const PictureSource& s, BytePicture& made) -> Detail {
         const std::optional<double> factor = fit_factor({}, s.reference, s.bytes, s.faulty, s.fit.rows);

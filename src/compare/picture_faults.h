@@ -58,7 +58,6 @@ PictureFault grey(double red, double green, double blue);
 PictureFault channels_left(bool red, bool green, bool blue);
 /// Each channel value, clamped to 0 to 1, through a monotonic curve.
 PictureFault curved(std::function<double(double)> curve);
-double srgb_decoded(double v);
 /// All values times a fitted factor.
 PictureFault scaled();
 /// A fitted number is added to all values.

@@ -160,6 +160,14 @@ Json occlusion_json(const Scene& scene, const ExplainedOcclusion& occlusion) {
     return json;
 }
 
+Json texture_json(const Scene& scene, const ExplainedTexture& texture) {
+    Json json = {{"index", texture.texture}, {"mix", to_string(scene.textures[texture.texture].mix)}};
+    if (const std::string_view name = scene.texture_texts.name(texture.texture); !name.empty())
+        json["name"] = name;
+    add_terms(json, k_texture_terms, texture, {scene});
+    return json;
+}
+
 Json hit_json(const Scene& scene, const ExplainedHit& hit) {
     Json lights = Json::array();
     for (const LightTerms& terms : hit.lights) lights.push_back(terms_json(scene, hit, terms));
@@ -174,6 +182,7 @@ Json hit_json(const Scene& scene, const ExplainedHit& hit) {
                      {"emission", to_json(hit.parts[3])}};
     json["reflected"] = secondary_ray_json(hit.reflected);
     json["transmitted"] = secondary_ray_json(hit.transmitted);
+    if (hit.texture) json["texture"] = texture_json(scene, *hit.texture);
     if (hit.occlusion) json["occlusion"] = occlusion_json(scene, *hit.occlusion);
     return json;
 }

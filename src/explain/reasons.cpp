@@ -45,9 +45,10 @@ HighlightReason highlight_reason(const LightTerms& terms, const ExplainedHit& hi
 }
 
 Material material_of(const ExplainedHit& hit, const Scene& scene) {
-    const Material material =
-        hit.material < scene.materials.size() ? scene.materials[hit.material] : Material{};
-    return hit.color ? with_color(material, *hit.color) : material;
+    Material material = hit.material < scene.materials.size() ? scene.materials[hit.material] : Material{};
+    if (hit.color) material = with_color(material, *hit.color);
+    if (!hit.texture || hit.texture->texture >= scene.textures.size()) return material;
+    return with_texture(material, scene.textures[hit.texture->texture].mix, hit.texture->color);
 }
 
 std::string_view to_string(LightReason reason) {

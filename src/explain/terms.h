@@ -112,6 +112,20 @@ inline constexpr ExplainedTerm<ExplainedOcclusion> k_occlusion_terms[] = {
     {"part", &ExplainedOcclusion::part, "multiplied by weight and local_share: what is added to the pixel"},
 };
 
+inline constexpr ExplainedTerm<ExplainedTexture> k_texture_terms[] = {
+    {"u", &ExplainedTexture::u, "u in the picture, to the right"},
+    {"v", &ExplainedTexture::v, "v in the picture, up"},
+    {"column", &ExplainedTexture::column, "of the first texel, from the left, from 0"},
+    {"next_column", &ExplainedTexture::next_column, "of the texel that is mixed with it"},
+    {"row", &ExplainedTexture::row, "of the first texel, from the top, from 0"},
+    {"next_row", &ExplainedTexture::next_row, "of the texel that is mixed with it"},
+    {"next_column_weight", &ExplainedTexture::next_column_weight,
+     "the weight of the next column; the first one has the rest"},
+    {"next_row_weight", &ExplainedTexture::next_row_weight, "the weight of the next row"},
+    {"color", &ExplainedTexture::color, "the texels' color, decoded and mixed"},
+    {"alpha", &ExplainedTexture::alpha, "the texels' alpha, mixed; 1 without one"},
+};
+
 inline constexpr ExplainedTerm<ExplainedHit> k_hit_terms[] = {
     {"point", &ExplainedHit::point, "P"},
     {"normal", &ExplainedHit::normal, "N as used for the lighting, a unit vector"},

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "math/transform.h"
+
 namespace glint {
 namespace {
 
@@ -57,6 +59,8 @@ void append_comment(std::string& out, std::string_view text) {
 
 void append(std::string& out, double number) { fmt::format_to(std::back_inserter(out), "{}", number); }
 
+void append(std::string& out, std::uint32_t value) { fmt::format_to(std::back_inserter(out), "{}", value); }
+
 void append(std::string& out, std::int32_t value) { fmt::format_to(std::back_inserter(out), "{}", value); }
 
 void append(std::string& out, bool value) { out += value ? "true" : "false"; }
@@ -72,6 +76,12 @@ void append(std::string& out, Color c) {
 void append(std::string& out, const ShapeColor& c) {
     append_color(out, {shortest(c.r), shortest(c.g), shortest(c.b)}, byte_of(c.r), byte_of(c.g),
                  byte_of(c.b));
+}
+
+void append(std::string& out, const UvMap& map) {
+    const auto& m = map.m;
+    fmt::format_to(std::back_inserter(out), "(({}, {}, {}), ({}, {}, {}))", m[0][0], m[0][1], m[0][2],
+                   m[1][0], m[1][1], m[1][2]);
 }
 
 void append(std::string& out, const Attenuation& a) { append(out, Vec3{a.c0, a.c1, a.c2}); }
@@ -200,6 +210,36 @@ void BlockWriter::close() {
     indent_ -= k_step;
     out_.append(indent_, ' ');
     out_ += "}\n";
+}
+
+bool same_bits(const Affine& a, const Affine& b) {
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 4; ++column) {
+            if (!same_bits(a.m[row][column], b.m[row][column])) return false;
+        }
+    }
+    return true;
+}
+
+void write_map(BlockWriter& block, const Affine& map) {
+    const auto& m = map.m;
+    const Vec3 move{m[0][3], m[1][3], m[2][3]}, factors{m[0][0], m[1][1], m[2][2]};
+    if (same_bits(map, translation(move))) return append(block.key("translate"), move);
+    const bool grows = factors.x > 0 && factors.y > 0 && factors.z > 0;
+    if (grows && same_bits(map, scaling(factors))) {
+        if (factors.x == factors.y && factors.x == factors.z) return append(block.key("scale"), factors.x);
+        return append(block.key("scale"), factors);
+    }
+    std::string& text = block.key("matrix");
+    text += '(';
+    for (int r = 0; r < 3; ++r) {
+        if (r > 0) {
+            text += ", ";
+            block.allow_break();
+        }
+        fmt::format_to(std::back_inserter(text), "({}, {}, {}, {})", m[r][0], m[r][1], m[r][2], m[r][3]);
+    }
+    text += ')';
 }
 
 }  // namespace glint

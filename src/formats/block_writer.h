@@ -15,6 +15,7 @@ namespace glint {
 /// The shortest text that reads back as the same double, a negative zero included.
 void append(std::string& out, double number);
 void append(std::string& out, std::int32_t value);
+void append(std::string& out, std::uint32_t value);
 void append(std::string& out, bool value);
 /// (x, y, z)
 void append(std::string& out, Vec3 v);
@@ -24,6 +25,8 @@ void append(std::string& out, Color c);
 void append(std::string& out, const ShapeColor& c);
 /// (c0, c1, c2)
 void append(std::string& out, const Attenuation& a);
+/// ((a, b, c), (d, e, f))
+void append(std::string& out, const UvMap& map);
 /// "text" with the escapes that the tokenizer reads.
 void append_quoted(std::string& out, std::string_view text);
 /// The name as a bare word if it is one, else quoted.
@@ -75,7 +78,19 @@ class BlockWriter {
 
 /// Writes the key and the value of a field, unless the value is absent.
 template <class Item> void write_field(BlockWriter& block, const ItemField<Item>& field, const Item& item) {
-    visit_field(field, item, [&](const auto&, const auto& value) { append(block.key(field.key), value); });
+    visit_field(field, item, [&](const auto& type, const auto& value) {
+        if constexpr (requires { type.words; }) {
+            block.key(field.key) += type.words[static_cast<std::size_t>(value)];
+        } else {
+            append(block.key(field.key), value);
+        }
+    });
 }
+
+/// True if two maps have the same bits.
+bool same_bits(const Affine& a, const Affine& b);
+
+/// Writes a map as `translate`, `scale` or `matrix`.
+void write_map(BlockWriter& block, const Affine& map);
 
 }  // namespace glint

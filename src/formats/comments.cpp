@@ -259,6 +259,7 @@ SceneComments::SceneComments(const Scene& scene, std::span<const SceneText> text
     add(scene.gradient_place, ItemKind::gradient, 0);
     add(scene.occlusion_place, ItemKind::occlusion, 0);
     add_all(scene.material_texts, ItemKind::material);
+    add_all(scene.texture_texts, ItemKind::texture);
     const auto order = [](const Item& i) { return std::tuple(i.place.file, i.place.line, i.place.column); };
     std::stable_sort(items.begin(), items.end(),
                      [&](const Item& a, const Item& b) { return order(a) < order(b); });

@@ -12,7 +12,17 @@
 
 namespace glint {
 
-enum class ItemKind : std::uint8_t { shape, light, camera, background, material, fog, gradient, occlusion };
+enum class ItemKind : std::uint8_t {
+    shape,
+    light,
+    camera,
+    background,
+    material,
+    fog,
+    gradient,
+    occlusion,
+    texture
+};
 
 /// Views of the texts, one per line, without the comment signs.
 struct ItemComments {

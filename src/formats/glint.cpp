@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "formats/glint_item.h"
+#include "formats/glint_texture.h"
 #include "formats/include.h"
 #include "formats/profile_file.h"
 #include "formats/registry.h"
@@ -15,23 +16,10 @@ namespace {
 
 constexpr std::string_view k_what =
     "a block (`camera`, `light`, `material`, `sphere`, `group`, ...), a setting or `include`";
-constexpr std::string_view k_block_words[] = {"sphere",
-                                              "material",
-                                              "light",
-                                              "group",
-                                              "camera",
-                                              "plane",
-                                              "cylinder",
-                                              "cone",
-                                              "disc",
-                                              "box",
-                                              "triangle",
-                                              "polygon",
-                                              "render",
-                                              "conventions",
-                                              "fog",
-                                              "occlusion",
-                                              "background_gradient"};
+constexpr std::string_view k_block_words[] = {
+    "sphere",  "material", "texture",     "light", "group",     "camera",
+    "plane",   "cylinder", "cone",        "disc",  "box",       "triangle",
+    "polygon", "render",   "conventions", "fog",   "occlusion", "background_gradient"};
 constexpr std::string_view k_setting_words[] = {"background", "profile", "glint"};
 
 // The keys of Conventions, or of RenderSettings.
@@ -108,6 +96,8 @@ class GlintReader {
             read_of_first(word, read_glint_gradient);
         } else if (name == "material") {
             read_material(word);
+        } else if (name == "texture") {
+            t_.textures.read_block(t_, word);
         } else {
             read_settings(word, name == "conventions");
         }
@@ -302,6 +292,7 @@ GlintText::GlintText(LoadState& of, const ReadText& read_text)
       scene(of.scene),
       text(read_text),
       materials(GlintMaterials::of(of)),
+      textures(GlintTextures::of(of)),
       p(read_text.place, {.hash_comments = true, .slash_comments = true}, of.diagnostics),
       blocks(p, {}, k_what, {.include = "include", .names = true}) {}
 
@@ -312,6 +303,7 @@ void read_glint(LoadState& reading, const ReadText& text) { GlintReader(reading,
 void finish_glint(LoadState& reading) {
     if (!reading.glint_materials) return;
     reading.glint_materials->finish(reading);
+    reading.glint_textures->finish(reading);
     // After an error, the camera may be in a part that was not read.
     if (reading.diagnostics.any_errors()) reading.camera_wanted.reset();
 }

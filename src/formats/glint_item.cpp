@@ -7,8 +7,8 @@ namespace glint {
 namespace {
 
 constexpr int k_first_transform = 1 + static_cast<int>(k_material_keys.size());
-enum { k_translate = k_first_transform, k_rotate, k_scale, k_matrix };
-static_assert(std::size(k_item_fields) == k_matrix + 1);
+enum { k_translate, k_rotate, k_scale, k_matrix };
+static_assert(std::size(k_transform_fields) == k_matrix + 1);
 
 bool read_scale(GlintText& t, const Token& key, Vec3& scale) {
     if (t.p.token().kind == TokenKind::number) {
@@ -53,6 +53,10 @@ bool read_item_key(GlintText& t, int field, const Token& key, GlintItem& item) {
         return true;
     }
     if (field < k_first_transform) return read_material_key(t, field - 1, item.keys);
+    return read_transform_key(t, field - k_first_transform, key, item);
+}
+
+bool read_transform_key(GlintText& t, int field, const Token& key, GlintItem& item) {
     Affine step;
     Vec3 v;
     switch (field) {

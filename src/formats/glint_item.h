@@ -33,6 +33,9 @@ struct GlintItem {
 /// Reads the value of one of those keys.
 bool read_item_key(GlintText& t, int field, const Token& key, GlintItem& item);
 
+/// The same for a key of k_transform_fields.
+bool read_transform_key(GlintText& t, int field, const Token& key, GlintItem& item);
+
 /// Composes two maps; if one is the identity, the result has the bits of the other.
 std::optional<Affine> compose_maps(const std::optional<Affine>& outer, const std::optional<Affine>& inner);
 

@@ -38,8 +38,12 @@ bool MeshText::read_key(int field, const Token& key) {
             return read_corners(mesh_.normals.corners, true);
         case 5:
             return read_values(mesh_.colors.values);
-        default:
+        case 6:
             return read_corners(mesh_.colors.corners, true);
+        case 7:
+            return read_pairs(mesh_.texture_coordinates.values);
+        default:
+            return read_corners(mesh_.texture_coordinates.corners, true);
     }
 }
 
@@ -59,6 +63,16 @@ bool MeshText::read_values(std::vector<Float3>& values) {
     values.clear();
     for (const Vec3& p : points) values.push_back(to_single(p));
     return true;
+}
+
+bool MeshText::read_pairs(std::vector<Float3>& values) {
+    values.clear();
+    return read_list(t_, "pairs `(u, v)`", [&] {
+        double pair[2] = {};
+        if (!t_.p.numbers(pair, k_coordinate, '(', ')')) return false;
+        values.push_back(to_single({pair[0], pair[1], 0}));
+        return true;
+    });
 }
 
 bool MeshText::read_corners(std::vector<TriangleCorners>& corners, bool may_be_none) {

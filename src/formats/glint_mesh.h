@@ -13,7 +13,7 @@ class MeshText {
     explicit MeshText(GlintText& t) : t_(t) {}
 
     /// Reads the value of key number `field`: file, vertices, triangles, normals, normal_corners, colors,
-    /// color_corners. False if there is none.
+    /// color_corners, texture_coordinates, texture_corners. False if there is none.
     bool read_key(int field, const Token& key);
     /// The index in Scene::meshes, once all keys are read. Nothing after an error, reported at the block's
     /// word if it is of the block.
@@ -22,6 +22,7 @@ class MeshText {
   private:
     bool read_points(std::vector<Vec3>& points);
     bool read_values(std::vector<Float3>& values);
+    bool read_pairs(std::vector<Float3>& values);
     bool read_corners(std::vector<TriangleCorners>& corners, bool may_be_none);
 
     GlintText& t_;

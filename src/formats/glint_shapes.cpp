@@ -32,8 +32,15 @@ constexpr auto k_axial_fields = with_shape_fields({{"from", true}, {"to", true},
 constexpr auto k_box_fields = with_shape_fields({{"min", true}, {"max", true}});
 constexpr auto k_triangle_fields = with_shape_fields({{"vertices", true}, {"normals"}});
 constexpr auto k_polygon_fields = with_shape_fields({{"vertices", true}});
-constexpr auto k_mesh_fields = with_shape_fields(
-    {{"file"}, {"vertices"}, {"triangles"}, {"normals"}, {"normal_corners"}, {"colors"}, {"color_corners"}});
+constexpr auto k_mesh_fields = with_shape_fields({{"file"},
+                                                  {"vertices"},
+                                                  {"triangles"},
+                                                  {"normals"},
+                                                  {"normal_corners"},
+                                                  {"colors"},
+                                                  {"color_corners"},
+                                                  {"texture_coordinates"},
+                                                  {"texture_corners"}});
 
 // The spelling hints for a shape and its material.
 template <std::size_t N> std::span<const SpellingHint> with_material_hints(const SpellingHint (&own)[N]) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Shared by the parts of the .glint reader: the text being read, and the types of its values.
+#include "base/text.h"
 #include "formats/block_reader.h"
 #include "formats/load_state.h"
 #include "scene/fields.h"
@@ -8,6 +9,7 @@
 namespace glint {
 
 class GlintMaterials;
+class GlintTextures;
 
 struct GlintText {
     GlintText(LoadState& of, const ReadText& read_text);
@@ -16,6 +18,7 @@ struct GlintText {
     Scene& scene;
     const ReadText& text;
     GlintMaterials& materials;
+    GlintTextures& textures;
     Parser p;
     BlockReader blocks;
 };
@@ -42,6 +45,14 @@ struct ValueReader {
     bool operator()(const WholeType& type, std::int32_t& value) const {
         return read_whole(t, value, type.range);
     }
+    template <class Choice> bool operator()(const ChoiceType& type, Choice& value) const {
+        int index = 0;
+        if (!t.p.choice(type.words, one_of(type.words), index)) return false;
+        value = static_cast<Choice>(index);
+        return true;
+    }
+    bool operator()(TextureType, std::uint32_t& texture) const;
+    bool operator()(UvMapType, UvMap& map) const;
     bool operator()(BoolType, bool& value) const { return read_bool(t, value); }
     bool operator()(PointType, Vec3& point) const { return read_point(t, point); }
     bool operator()(PointType, std::optional<Vec3>& point) const { return read_point(t, point.emplace()); }

@@ -10,13 +10,6 @@ namespace {
 constexpr Range k_byte_channel{0, 255, false, false, "a number from 0 to 255"};
 constexpr std::string_view k_color_forms = "a color: (r, g, b) from 0 to 1, rgb255(r, g, b) or \"#rrggbb\"";
 
-int hex_digit(char c) {
-    return c >= '0' && c <= '9'   ? c - '0'
-           : c >= 'a' && c <= 'f' ? c - 'a' + 10
-           : c >= 'A' && c <= 'F' ? c - 'A' + 10
-                                  : -1;
-}
-
 // "#rrggbb" or "#rgb", without its quotes.
 bool parse_hex(std::string_view text, Color& color) {
     if (!text.starts_with('#') || (text.size() != 7 && text.size() != 4)) return false;

@@ -20,9 +20,10 @@ template <class T> std::uint64_t bytes_of(const std::vector<T>& list) {
 // Names are counted by note(). Without the meshes.
 std::uint64_t bytes_of(const Scene& scene) {
     std::uint64_t bytes = bytes_of(scene.lights) + bytes_of(scene.materials) + bytes_of(scene.transforms) +
-                          bytes_of(scene.polygon_vertices) + bytes_of(scene.meshes) + bytes_of(scene.shapes) +
-                          bytes_of(scene.shape_colors) + bytes_of(scene.light_texts.places) +
-                          bytes_of(scene.material_texts.places) + bytes_of(scene.shape_texts.places);
+                          bytes_of(scene.polygon_vertices) + bytes_of(scene.textures) +
+                          bytes_of(scene.meshes) + bytes_of(scene.shapes) + bytes_of(scene.shape_colors) +
+                          bytes_of(scene.light_texts.places) + bytes_of(scene.material_texts.places) +
+                          bytes_of(scene.shape_texts.places);
 #define GLINT_KIND(Type, word) bytes += bytes_of(scene.get<Type>());
     GLINT_SHAPES(GLINT_KIND)
 #undef GLINT_KIND
@@ -32,7 +33,7 @@ std::uint64_t bytes_of(const Scene& scene) {
 std::uint64_t bytes_of(const MeshData& mesh) {
     std::uint64_t bytes = sizeof(MeshData) + bytes_of(mesh.single_positions) + bytes_of(mesh.positions) +
                           bytes_of(mesh.triangles);
-    for (const CornerValues* values : {&mesh.normals, &mesh.colors})
+    for (const CornerValues* values : {&mesh.normals, &mesh.colors, &mesh.texture_coordinates})
         bytes += bytes_of(values->values) + bytes_of(values->corners);
     return bytes;
 }

@@ -19,6 +19,7 @@
 namespace glint {
 
 class GlintMaterials;
+class GlintTextures;
 struct TachyonState;
 
 /// A text of the load.
@@ -100,11 +101,14 @@ struct LoadState {
     // An ordered map, so that no choice of names makes lookups slow.
     CountedMap<std::string, std::uint32_t> materials;  ///< of all texts, by name
     std::shared_ptr<GlintMaterials> glint_materials;   ///< created by the first .glint text
+    std::shared_ptr<GlintTextures> glint_textures;     ///< likewise
     std::shared_ptr<TachyonState> tachyon;             ///< created by the first .dat text
     std::map<std::uint16_t, std::uint32_t> meshes;     ///< in Scene::meshes, by the text's index in `texts`
-    std::optional<std::uint16_t> lone_mesh;            ///< the caller's text that is a file of a mesh
-    double mesh_ambient_light = 1;                     ///< what such a scene has if it has no lights
-    bool is_view_used = false;                         ///< LoadOptions::view
+    /// Of files of pictures, by the text's index in `texts`; null: it cannot be decoded.
+    std::map<std::uint16_t, std::shared_ptr<const TextureImage>> texture_images;
+    std::optional<std::uint16_t> lone_mesh;  ///< the caller's text that is a file of a mesh
+    double mesh_ambient_light = 1;           ///< what such a scene has if it has no lights
+    bool is_view_used = false;               ///< LoadOptions::view
     bool camera_given = false, background_given = false;
     bool camera_included = false, background_included = false;  ///< set by an included text
     bool is_include_missing = false;                            ///< a text could not be read

@@ -10,6 +10,7 @@
 #include "formats/registry.h"
 #include "formats/write_materials.h"
 #include "formats/write_shapes.h"
+#include "formats/write_textures.h"
 #include "glint/version.h"
 #include "glint/write.h"
 #include "scene/camera_fields.h"
@@ -44,6 +45,7 @@ class GlintWriter {
         write_block("occlusion", scene_.occlusion, k_occlusion_fields, "method", ItemKind::occlusion,
                     [](const Occlusion& o) { return to_string(o.method); });
         write_lights();
+        write_textures(block_, scene_, materials_, comments_);
         write_materials();
         if (!scene_.shapes.empty()) out_ += '\n';
         if (scene_.shapes.size() > k_readable) block_.keep_lines_whole();
@@ -211,7 +213,7 @@ class GlintWriter {
         if (count != 0) out_ += '\n';
         for_each_named([&](std::uint32_t i) {
             block_.begin(head_, width);
-            write_material_keys(block_, scene_.materials[i]);
+            write_material_keys(block_, materials_, scene_.materials[i]);
             end(ItemKind::material, i);
         });
     }

@@ -38,6 +38,7 @@ MaterialPlan::MaterialPlan(const Scene& scene) : named_(scene.materials.size()) 
     use_own_names(scene);
     merge_unnamed(scene);
     name_shared(scene);
+    name_textures(scene);
 }
 
 // If several materials have the same name, the first one that is used by a shape keeps it.
@@ -91,17 +92,30 @@ void MaterialPlan::name_shared(const Scene& scene) {
     }
 }
 
+void MaterialPlan::name_textures(const Scene& scene) {
+    std::set<std::string, std::less<>> taken;
+    std::size_t number = 0;
+    for (std::uint32_t i = 0; i < scene.textures.size(); ++i) {
+        std::string name(scene.texture_texts.name(i));
+        while (name.empty() || taken.contains(name)) name = fmt::format("texture_{}", ++number);
+        taken.insert(name);
+        texture_names_.push_back(std::move(name));
+    }
+}
+
 std::string_view MaterialPlan::name(std::uint32_t material) const {
     const std::uint32_t named = named_[written_[material]];
     return named == 0 ? std::string_view() : std::string_view(names_[named - 1]);
 }
 
-void write_material_keys(BlockWriter& block, const Material& m) {
+void write_material_keys(BlockWriter& block, const MaterialPlan& plan, const Material& m) {
     const Material usual;
     for (const ItemField<Material>& field : k_material_fields) {
         const MaterialCoefficient* coefficient = coefficient_of(field);
         if (coefficient != nullptr && !(coefficient->if_given && same_bits(field, m, usual))) {
             write_term(block, m.color, m.*coefficient->field, *coefficient, field.key);
+        } else if (is_field_of(field, &Material::texture)) {
+            if (m.texture != k_none) append_name(block.key(field.key), plan.texture_name(m.texture));
         } else if (is_field_of(field, &Material::color) || !same_bits(field, m, usual)) {
             write_field(block, field, m);
         }

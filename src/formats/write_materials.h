@@ -23,20 +23,23 @@ class MaterialPlan {
     /// Whether the material has a block of its own; name() is the name of that block.
     bool is_named(std::uint32_t material) const { return named_[written_[material]] != 0; }
     std::string_view name(std::uint32_t material) const;
+    std::string_view texture_name(std::uint32_t texture) const { return texture_names_[texture]; }
 
   private:
     void use_own_names(const Scene& scene);
     void merge_unnamed(const Scene& scene);
     void name_shared(const Scene& scene);
+    void name_textures(const Scene& scene);
 
     std::vector<std::uint32_t> written_;
     std::vector<std::uint32_t> named_;  // 1 + index into names_, or 0
     std::vector<std::string> names_;
+    std::vector<std::string> texture_names_;
     std::set<std::string, std::less<>> taken_;  // the same names
 };
 
-/// The keys of the material; default values are omitted.
-void write_material_keys(BlockWriter& block, const Material& material);
+/// The keys of a material of the plan; default values are omitted.
+void write_material_keys(BlockWriter& block, const MaterialPlan& plan, const Material& material);
 
 /// True if the two have the same bits.
 bool same_bits(const Material& a, const Material& b);

@@ -16,15 +16,6 @@ std::string_view word_of(ShapeKind kind) {
     return kind == ShapeKind::smooth_triangle ? "triangle" : to_string(kind);
 }
 
-bool same_bits(const Affine& a, const Affine& b) {
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 4; ++column) {
-            if (!glint::same_bits(a.m[row][column], b.m[row][column])) return false;
-        }
-    }
-    return true;
-}
-
 struct FieldWriter {
     BlockWriter& block;
     void point(std::string_view key, const Vec3& value) { append(block.key(key), value); }
@@ -53,7 +44,7 @@ class ShapeWriter {
             if (is_group) {
                 block_.open("group");
                 block_.begin({});
-                write_transform(scene_.transforms[transform]);
+                write_map(block_, scene_.transforms[transform]);
                 block_.end();
             }
             for (; i < end; ++i) write_shape(i, is_group ? k_none : transform);
@@ -66,28 +57,6 @@ class ShapeWriter {
         const std::uint32_t ta = scene_.shapes[a].transform, tb = scene_.shapes[b].transform;
         if (ta == tb || ta == k_none || tb == k_none) return ta == tb;
         return same_bits(scene_.transforms[ta], scene_.transforms[tb]);
-    }
-
-    void write_transform(const Affine& map) {
-        const auto& m = map.m;
-        const Vec3 move{m[0][3], m[1][3], m[2][3]}, factors{m[0][0], m[1][1], m[2][2]};
-        if (same_bits(map, translation(move))) return append(block_.key("translate"), move);
-        const bool grows = factors.x > 0 && factors.y > 0 && factors.z > 0;
-        if (grows && same_bits(map, scaling(factors))) {
-            if (factors.x == factors.y && factors.x == factors.z)
-                return append(block_.key("scale"), factors.x);
-            return append(block_.key("scale"), factors);
-        }
-        std::string& text = block_.key("matrix");
-        text += '(';
-        for (int r = 0; r < 3; ++r) {
-            if (r > 0) {
-                text += ", ";
-                block_.allow_break();
-            }
-            fmt::format_to(std::back_inserter(text), "({}, {}, {}, {})", m[r][0], m[r][1], m[r][2], m[r][3]);
-        }
-        text += ')';
     }
 
     void write_shape(std::uint32_t i, std::uint32_t transform) {
@@ -107,12 +76,12 @@ class ShapeWriter {
                 append_name(block_.key("material"), materials_.name(s.material));
             } else if (!glint::same_bits(scene_.materials[s.material], Material{})) {
                 block_.begin_part();
-                write_material_keys(block_, scene_.materials[s.material]);
+                write_material_keys(block_, materials_, scene_.materials[s.material]);
                 material_comments = comments_.of(ItemKind::material, s.material);
             }
         }
         if (scene_.shape_color(i)) append(block_.key("shape_color"), scene_.shape_colors[i]);
-        if (transform != k_none) write_transform(scene_.transforms[transform]);
+        if (transform != k_none) write_map(block_, scene_.transforms[transform]);
         if (material_comments != nullptr) {
             block_.comments(material_comments->above);
             block_.comments(material_comments->after);
@@ -158,11 +127,22 @@ class ShapeWriter {
         write_corners("triangles", mesh.triangles);
         write_values("normals", "normal_corners", mesh.normals);
         write_values("colors", "color_corners", mesh.colors);
+        write_texture_coordinates(mesh.texture_coordinates);
     }
     void write_values(std::string_view key, std::string_view corners_key, const CornerValues& of) {
         if (of.empty()) return;
         write_list(key, of.values.size(), [&](std::size_t i) { return to_vec3(of.values[i]); });
         if (!of.corners.empty()) write_corners(corners_key, of.corners);
+    }
+    void write_texture_coordinates(const CornerValues& of) {
+        if (of.empty()) return;
+        std::string& text = begin_list("texture_coordinates");
+        for (const Float3& f : of.values) {
+            next_item(text);
+            fmt::format_to(std::back_inserter(text), "({}, {})", double{f.x}, double{f.y});
+        }
+        text += ')';
+        if (!of.corners.empty()) write_corners("texture_corners", of.corners);
     }
     void write_corners(std::string_view key, std::span<const TriangleCorners> corners) {
         std::string& text = begin_list(key);

@@ -3,15 +3,9 @@
 
 #include "base/fp_environment.h"
 #include "math/elementary.h"
+#include "math/srgb.h"
 
 namespace glint {
-
-double srgb_encode(double linear) {
-    if (!(linear > 0)) return 0;
-    if (linear >= 1) return 1;
-    if (linear <= 0.0031308) return 12.92 * linear;
-    return 1.055 * pow(linear, 1 / 2.4) - 0.055;
-}
 
 std::uint32_t to_number(float value, int bits, const ByteRule& rule) {
     const DefaultFpEnvironment environment;

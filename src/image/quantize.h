@@ -9,9 +9,6 @@
 
 namespace glint {
 
-/// The sRGB transfer curve (IEC 61966-2-1); maps 0 to 0 and 1 to 1. Smaller values and NaN give 0, larger 1.
-double srgb_encode(double linear);
-
 /// Converts `count` channel values to samples of a file: `bits` / 8 bytes each, big-endian, by
 /// the rule.
 void quantize_row(const float* values, std::size_t count, int bits, const ByteRule& rule, std::uint8_t* out);

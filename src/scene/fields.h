@@ -9,6 +9,7 @@
 #include <concepts>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <type_traits>
 #include <variant>
@@ -31,6 +32,18 @@ struct NumberType {
 struct WholeType {
     static constexpr std::string_view word = "whole";
     Range range;
+};
+/// One of the words; the value is an enumerator, whose number is that of its word.
+struct ChoiceType {
+    static constexpr std::string_view word = "choice";
+    std::span<const std::string_view> words;
+};
+/// The number of an item of the scene; k_none: none.
+struct TextureType {
+    static constexpr std::string_view word = "texture";
+};
+struct UvMapType {
+    static constexpr std::string_view word = "uv map";
 };
 struct BoolType {
     static constexpr std::string_view word = "boolean";
@@ -88,6 +101,16 @@ template <class Item> constexpr auto whole_field(std::int32_t Item::*at, const R
 template <class Item> constexpr auto bool_field(bool Item::*at) {
     return FieldMember<Item, bool, BoolType>{at, {}};
 }
+template <class Item, class Choice>
+constexpr auto choice_field(Choice Item::*at, std::span<const std::string_view> words) {
+    return FieldMember<Item, Choice, ChoiceType>{at, {words}};
+}
+template <class Item> constexpr auto texture_field(std::uint32_t Item::*at) {
+    return FieldMember<Item, std::uint32_t, TextureType>{at, {}};
+}
+template <class Item> constexpr auto uv_map_field(UvMap Item::*at) {
+    return FieldMember<Item, UvMap, UvMapType>{at, {}};
+}
 template <class Item, class Point> constexpr auto point_field(Point Item::*at) {
     return FieldMember<Item, Point, PointType>{at, {}};
 }
@@ -143,10 +166,19 @@ constexpr bool is_field_of(const ItemField<Item>& field, Value Item::*member) {
 
 constexpr std::array<double, 1> numbers_of(double x) { return {x}; }
 constexpr std::array<double, 1> numbers_of(std::int32_t n) { return {static_cast<double>(n)}; }
+constexpr std::array<double, 1> numbers_of(std::uint32_t n) { return {static_cast<double>(n)}; }
 constexpr std::array<double, 1> numbers_of(bool b) { return {b ? 1.0 : 0.0}; }
 constexpr std::array<double, 3> numbers_of(const Vec3& v) { return {v.x, v.y, v.z}; }
 constexpr std::array<double, 3> numbers_of(const Color& c) { return {c.r, c.g, c.b}; }
 constexpr std::array<double, 3> numbers_of(const Attenuation& a) { return {a.c0, a.c1, a.c2}; }
+
+constexpr std::array<double, 6> numbers_of(const UvMap& map) {
+    const auto& m = map.m;
+    return {m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2]};
+}
+template <class Choice>
+requires std::is_enum_v<Choice>
+constexpr std::array<double, 1> numbers_of(Choice choice) { return {static_cast<double>(choice)}; }
 
 /// True if two values have the same bits.
 template <class Value> constexpr bool same_bits(const Value& a, const Value& b) {
@@ -165,7 +197,7 @@ constexpr void visit_bits(const ItemField<Item>& field, const Item& item, Visit&
 /// The order of the field's bits in two items.
 template <class Item>
 constexpr std::strong_ordering compare_bits(const ItemField<Item>& field, const Item& a, const Item& b) {
-    std::array<std::uint64_t, 3> of_a{}, of_b{};
+    std::array<std::uint64_t, 6> of_a{}, of_b{};
     std::size_t n = 0, m = 0;
     visit_bits(field, a, [&](std::uint64_t bits) { of_a[n++] = bits; });
     visit_bits(field, b, [&](std::uint64_t bits) { of_b[m++] = bits; });
@@ -178,13 +210,18 @@ template <class Item> constexpr bool same_bits(const ItemField<Item>& field, con
     return std::is_eq(compare_bits(field, a, b));
 }
 
-/// The value as a number, true or false, or as a list of numbers; null if it is absent. Json: the JSON
-/// library's, which this module does not include.
+/// The value as a number, a word, true or false, or as a list of numbers; null if it is absent. Json: the
+/// JSON library's, which this module does not include.
 template <class Json, class Item> Json field_json(const ItemField<Item>& field, const Item& item) {
     Json json;
-    visit_field(field, item, [&](const auto&, const auto& value) {
+    visit_field(field, item, [&](const auto& type, const auto& value) {
         using Value = std::remove_cvref_t<decltype(value)>;
-        if constexpr (std::is_arithmetic_v<Value>) {
+        using Type = std::remove_cvref_t<decltype(type)>;
+        if constexpr (std::is_same_v<Type, TextureType>) {
+            if (value != k_none) json = value;
+        } else if constexpr (std::is_same_v<Type, ChoiceType>) {
+            json = type.words[static_cast<std::size_t>(value)];
+        } else if constexpr (std::is_arithmetic_v<Value>) {
             json = value;
         } else {
             json = numbers_of(value);

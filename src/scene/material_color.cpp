@@ -71,4 +71,12 @@ Material with_color(const Material& material, Color color) {
     return changed;
 }
 
+Material with_texture(const Material& material, TextureMix mix, Color color) {
+    if (mix == TextureMix::replace) return with_color(material, color);
+    Material changed = material;
+    for (Color Material::*const member : {&Material::color, &Material::ambient, &Material::diffuse})
+        changed.*member = material.*member * color;
+    return changed;
+}
+
 }  // namespace glint

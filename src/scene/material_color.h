@@ -22,4 +22,7 @@ std::optional<double> find_coefficient(Color color, Color k);
 std::array<double, k_color_factors> find_color_factors(
     Color color, const std::array<Color, k_color_factors>& coefficients);
 
+/// The material where a texture has this color.
+Material with_texture(const Material& material, TextureMix mix, Color color);
+
 }  // namespace glint

@@ -10,7 +10,8 @@ namespace glint {
 template <> struct FieldMembers<Material> {
     using Any =
         std::variant<FieldMember<Material, double, NumberType>, FieldMember<Material, bool, BoolType>,
-                     FieldMember<Material, std::int32_t, WholeType>, FieldMember<Material, Color, ColorType>>;
+                     FieldMember<Material, std::int32_t, WholeType>, FieldMember<Material, Color, ColorType>,
+                     FieldMember<Material, std::uint32_t, TextureType>>;
 };
 
 /// In the order in which they are written.
@@ -91,6 +92,12 @@ inline constexpr ItemField<Material> k_material_fields[] = {
      "fog_extent = outside_objects: rays inside are in the fog"},
     {"interior", "interior", "interior", whole_field(&Material::interior, k_interior),
      "above 0: the shapes of materials with the same number are one object for fog_extent"},
+    {.key = "texture",
+     .name = "texture",
+     .label = "texture",
+     .member = texture_field(&Material::texture),
+     .description = "a picture that changes the color",
+     .otherwise = "none"},
 };
 
 /// A key of .glint that gives a field as a factor of the color.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "glint/scene.h"
 
+#include "scene/texture_fields.h"
+
 namespace glint {
 
 std::string_view ItemTexts::name(std::uint32_t index) const {
@@ -64,6 +66,22 @@ std::string_view to_string(OcclusionMethod method) {
     }
     return "unknown method";
 }
+
+namespace {
+
+template <class Choice, std::size_t n>
+std::string_view word_of(Choice choice, const std::string_view (&words)[n]) {
+    const auto number = static_cast<std::size_t>(choice);
+    return number < n ? words[number] : "unknown";
+}
+
+}  // namespace
+
+std::string_view to_string(TextureWrap wrap) { return word_of(wrap, k_wrap_words); }
+std::string_view to_string(TextureFilter filter) { return word_of(filter, k_filter_words); }
+std::string_view to_string(TextureMix mix) { return word_of(mix, k_mix_words); }
+std::string_view to_string(TextureEncoding encoding) { return word_of(encoding, k_encoding_words); }
+std::string_view to_string(TextureMapping mapping) { return word_of(mapping, k_mapping_words); }
 
 std::string_view to_string(GradientKind kind) {
     switch (kind) {

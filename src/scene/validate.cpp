@@ -20,7 +20,9 @@
 #include "scene/ranges.h"
 #include "scene/settings.h"
 #include "scene/sky_fields.h"
+#include "scene/texture_fields.h"
 #include "scene/validate_shapes.h"
+#include "scene/validate_texture.h"
 
 namespace glint {
 namespace {
@@ -37,6 +39,8 @@ class Validator {
                                      ScenePart::lights, ScenePart::materials})
             check_part(part);
         for (std::uint32_t i = 0; !full() && i < scene_.transforms.size(); ++i) check_transform(i, {});
+        for (std::uint32_t i = 0; !full() && i < scene_.textures.size(); ++i) check_texture(i);
+        for (std::uint32_t i = 0; !full() && i < scene_.materials.size(); ++i) check_texture_index(i);
         check_counts();
         for (std::size_t i = 0; !full() && i < scene_.shapes.size(); ++i)
             check_shape(static_cast<std::uint32_t>(i), scene_.materials.size());
@@ -226,6 +230,15 @@ class Validator {
         void operator()(const WholeType& type, std::int32_t n) const {
             validator.check(type.range, n, place, of, label);
         }
+        template <class Choice> void operator()(const ChoiceType& type, Choice choice) const {
+            if (static_cast<std::size_t>(choice) >= type.words.size())
+                validator.error(place, fmt::format("{}: {}: expected one of {}, found number {}", of, label,
+                                                   fmt::join(type.words, ", "), static_cast<int>(choice)));
+        }
+        void operator()(TextureType, std::uint32_t) const {}  // check_texture_index()
+        void operator()(UvMapType, const UvMap& map) const {
+            for (const double x : numbers_of(map)) validator.check(k_coordinate, x, place, of, label);
+        }
         void operator()(BoolType, bool) const {}
         void operator()(PointType, Vec3 p) const { validator.check_point(p, place, of, label); }
         void operator()(DirectionType, Vec3 d) const { validator.check_direction(d, place, of, label); }
@@ -265,6 +278,26 @@ class Validator {
                                      text(l.side_u), text(l.side_v)));
     }
 
+    void check_texture(std::uint32_t i) {
+        begin(SceneItem::texture, i);
+        const Texture& texture = scene_.textures[i];
+        const SourcePlace place = scene_.texture_texts.place(i);
+        const std::string of = item("texture", i, scene_.texture_texts.name(i));
+        check_fields<Texture>(k_texture_fields, texture, place, of);
+        if (const std::string mistake = glint::mistake_in(texture); !mistake.empty())
+            error(place, fmt::format("{}: {}", of, mistake));
+        if (const std::string_view mistake = mistake_in(texture.world_from_texture); !mistake.empty())
+            error(place, fmt::format("{}: its transform{}", of, mistake));
+    }
+
+    void check_texture_index(std::uint32_t i) {
+        const Material& m = scene_.materials[i];
+        if (m.texture == k_none || m.texture < scene_.textures.size()) return;
+        begin(SceneItem::material, i);
+        error(scene_.material_texts.place(i),
+              item("material", i, scene_.material_texts.name(i)) + ": no such texture");
+    }
+
     void check_material(const Material& m, std::uint32_t i) {
         begin(SceneItem::material, i);
         const SourcePlace place = scene_.material_texts.place(i);
@@ -287,19 +320,24 @@ class Validator {
 
     // place: nothing for a transform, whose place is that of the first shape with it.
     void check_transform(std::uint32_t i, std::optional<SourcePlace> place) {
-        const auto& m = scene_.transforms[i].m;
+        const std::string_view mistake = mistake_in(scene_.transforms[i]);
+        if (mistake.empty()) return;
+        begin(SceneItem::transform, i);
+        error(place ? *place : place_of_transform(i), fmt::format("transform {}{}", i + 1, mistake));
+    }
+
+    static std::string_view mistake_in(const Affine& map) {
+        const auto& m = map.m;
         bool finite = true;
         Vec3 rows[3];
         for (int r = 0; r < 3; ++r) {
             for (const double x : m[r]) finite = finite && k_coordinate.contains(x);
             rows[r] = {m[r][0], m[r][1], m[r][2]};
         }
+        if (!finite) return ": expected numbers from -1e12 to 1e12";
         const double volume = dot(cross(unit_or_zero(rows[0]), unit_or_zero(rows[1])), unit_or_zero(rows[2]));
-        if (finite && number::abs(volume) >= k_parallel) return;
-        begin(SceneItem::transform, i);
-        error(place ? *place : place_of_transform(i),
-              finite ? fmt::format("transform {} flattens what it transforms: it has no inverse", i + 1)
-                     : fmt::format("transform {}: expected numbers from -1e12 to 1e12", i + 1));
+        if (!(number::abs(volume) >= k_parallel)) return " flattens what it transforms: it has no inverse";
+        return {};
     }
 
     // The place of the first shape with the transform.
@@ -323,6 +361,7 @@ class Validator {
         limited(scene_.materials.size(), "materials");
         limited(scene_.lights.size(), "lights");
         limited(scene_.transforms.size(), "transforms");
+        limited(scene_.textures.size(), "textures");
     }
 
     void check_shape(std::uint32_t i, std::size_t materials) {

@@ -43,7 +43,9 @@ std::string mistake_in(const MeshData& mesh) {
     if (mesh.triangles.empty()) return "expected at least one triangle, found none";
     if (!mesh.positions.empty() && !mesh.single_positions.empty())
         return "expected positions in one precision, found both";
-    for (const auto& [values, what] : {std::pair{&mesh.normals, "normal"}, {&mesh.colors, "color"}}) {
+    for (const auto& [values, what] : {std::pair{&mesh.normals, "normal"},
+                                       {&mesh.colors, "color"},
+                                       {&mesh.texture_coordinates, "texture coordinate"}}) {
         if (std::string mistake = mistake_in(*values, mesh, what); !mistake.empty()) return mistake;
     }
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -64,6 +66,10 @@ std::string mistake_in(const MeshData& mesh) {
         const Vec3 c = to_vec3(mesh.colors.values[i]);
         if (!is_coordinate(c) || c.x < 0 || c.y < 0 || c.z < 0)
             return fmt::format("color {}: expected numbers from 0 to 1e12, found {}", i, text(c));
+    }
+    for (std::size_t i = 0; i < mesh.texture_coordinates.values.size(); ++i) {
+        if (const Vec3 uv = to_vec3(mesh.texture_coordinates.values[i]); !is_coordinate(uv))
+            return fmt::format("texture coordinate {}: expected numbers within 1e12, found {}", i, text(uv));
     }
     return {};
 }

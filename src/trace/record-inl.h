@@ -43,6 +43,19 @@ template <class Visit> inline void for_each_hit(const SurfaceBatch& surfaces, co
     }
 }
 
+inline std::optional<ExplainedTexture> recorded_texture(const WorldParts& world, SurfaceId id, Vec3 point) {
+    ExplainedTexture explained;
+    const std::optional<TextureSample> sample = surface_texture(world, id, point, &explained.texture);
+    if (!sample) return std::nullopt;
+    explained.u = sample->place.u, explained.v = sample->place.v;
+    explained.column = sample->columns[0], explained.next_column = sample->columns[1];
+    explained.row = sample->rows[0], explained.next_row = sample->rows[1];
+    explained.next_column_weight = sample->right, explained.next_row_weight = sample->lower;
+    explained.color = sample->color;
+    explained.alpha = sample->alpha;
+    return explained;
+}
+
 /// The surface of a hit.
 inline ExplainedHit recorded_hit(const WorldParts& world, const SurfaceBatch& surfaces, std::size_t h) {
     const auto i = static_cast<int>(h);
@@ -58,6 +71,7 @@ inline ExplainedHit recorded_hit(const WorldParts& world, const SurfaceBatch& su
         hit.mesh_point = place->point;
     }
     if (const ShapeColor color = own_color(world, id, &hit.point); color.is_set()) hit.color = color.color();
+    hit.texture = recorded_texture(world, id, hit.point);
     hit.normal = vec3_at(surfaces.normal, i);
     hit.to_eye = vec3_at(surfaces.to_eye, i);
     hit.behind = surfaces.behind[h] > 0;

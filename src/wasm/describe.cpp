@@ -124,7 +124,7 @@ Json settings_json(const Scene& scene) {
 /// The word of an item's kind, or null.
 Json item_json(SceneItem item) {
     constexpr const char* words[] = {"",         "camera",    "background", "setting", "light",
-                                     "material", "transform", "shape",      "fog"};
+                                     "material", "transform", "shape",      "fog",     "texture"};
     return item == SceneItem::none ? Json() : Json(words[static_cast<std::size_t>(item)]);
 }
 

@@ -255,6 +255,8 @@ export interface ExplainedHit extends HitTerms {
     parts: {ambient: Vec3; diffuse: Vec3; specular: Vec3; emission: Vec3};
     reflected: ExplainedSecondaryRay;
     transmitted: ExplainedSecondaryRay;
+    /** If the material has a texture that shows something at the point. */
+    texture?: TextureTerms & {index: number; name?: string; mix: 'multiply' | 'replace'};
     /** If the scene has occlusion: the light from all directions. */
     occlusion?: OcclusionTerms & {color: Vec3; direct: number; occluders: {shape: NamedItem; samples: number; weight: number}[]};
 }
@@ -326,6 +328,8 @@ export interface MaterialValues {
     hollow: boolean;
     /** above 0: the shapes of materials with the same number are one object for fog_extent */
     interior: number;
+    /** a picture that changes the color */
+    texture: number | null;
 }
 
 export interface RayTerms {
@@ -442,6 +446,29 @@ export interface ShadowSampleTerms {
     blocked: boolean;
     /** as of the light */
     filter?: Vec3;
+}
+
+export interface TextureTerms {
+    /** u in the picture, to the right */
+    u: number;
+    /** v in the picture, up */
+    v: number;
+    /** of the first texel, from the left, from 0 */
+    column: number;
+    /** of the texel that is mixed with it */
+    next_column: number;
+    /** of the first texel, from the top, from 0 */
+    row: number;
+    /** of the texel that is mixed with it */
+    next_row: number;
+    /** the weight of the next column; the first one has the rest */
+    next_column_weight: number;
+    /** the weight of the next row */
+    next_row_weight: number;
+    /** the texels' color, decoded and mixed */
+    color: Vec3;
+    /** the texels' alpha, mixed; 1 without one */
+    alpha: number;
 }
 
 export interface OcclusionTerms {

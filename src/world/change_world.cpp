@@ -41,6 +41,12 @@ Status no_material(std::uint32_t index, std::uint32_t count) {
         fmt::format("there is no material {}: the scene has {}", std::uint64_t{index} + 1, count));
 }
 
+Status check_texture(const WorldParts& parts, const Material& material, std::size_t index) {
+    if (material.texture == k_none || material.texture < parts.textures->size()) return {};
+    return invalid_argument(fmt::format("material {}: there is no texture {}: the scene has {}", index + 1,
+                                        std::uint64_t{material.texture} + 1, parts.textures->size()));
+}
+
 // The first shape whose material index is `materials` or larger, except the default material; k_none if
 // there is none.
 std::uint32_t first_shape_beyond(const WorldParts& parts, std::size_t materials) {
@@ -154,10 +160,11 @@ Result<World> with_material(const World& world, std::uint32_t index, const Mater
     return change_world([&]() -> Result<World> {
         const std::uint32_t count = world.parts().scene_materials();
         if (index >= count) return no_material(index, count);
+        if (Status wrong = check_texture(world.parts(), material, index); !wrong.ok()) return wrong;
         return changed(world, find_mistakes(material, index), [&](WorldParts& parts) {
             pack_material(material, parts.materials.own().data() + std::size_t{index} * k_material_values);
             set_extended(parts, index, material);
-            if (!parts.slot_color->empty()) parts.color_factors = find_color_factors(*parts.materials);
+            set_color_factors(parts);
             if (parts.no_shadow->empty() && material.casts_shadow) return;
             std::vector<std::uint8_t>& no_shadow = parts.no_shadow.own();
             no_shadow.resize(std::size_t{count} + 1);
@@ -175,6 +182,9 @@ Result<World> with_materials(const World& world, std::span<const Material> mater
                 return invalid_argument(fmt::format("shape {} has a material that is not among the {} given",
                                                     std::uint64_t{shape} + 1, materials.size()));
         }
+        for (std::size_t i = 0; i < materials.size(); ++i) {
+            if (Status wrong = check_texture(now, materials[i], i); !wrong.ok()) return wrong;
+        }
         Scene given;
         given.materials.assign(materials.begin(), materials.end());
         return changed(world, find_mistakes(given, ScenePart::materials), [&](WorldParts& parts) {
@@ -184,7 +194,7 @@ Result<World> with_materials(const World& world, std::span<const Material> mater
             ExtendedMaterials extended = pack_extended_materials(materials);
             parts.extended = std::move(extended.table);
             parts.extended_uses = extended.uses;
-            if (!parts.slot_color->empty()) parts.color_factors = find_color_factors(*parts.materials);
+            set_color_factors(parts);
         });
     });
 }

@@ -12,6 +12,7 @@
 #include "math/sample_hash.h"
 #include "scene/material_color.h"
 #include "world/appearance/extended_materials.h"
+#include "world/appearance/texture.h"
 #include "world/geometry/packed_geometry.h"
 #include "world/tracer_fault.h"
 
@@ -76,9 +77,10 @@ struct WorldParts {
     CopyOnWrite<std::vector<double>> materials;  // k_material_values each; the default material is last
     // By slot, padded: r, g, b of the shape's own color, NaN without one; empty: no shape has one.
     CopyOnWrite<std::vector<float>> slot_color;
-    // By row of `materials`: the factors of find_color_factors(); empty like slot_color.
+    // By row of `materials`: the factors of find_color_factors(); empty if has_surface_colors() is false.
     CopyOnWrite<std::vector<double>> color_factors;
-    CopyOnWrite<std::vector<std::uint8_t>> no_shadow;  // by row of `materials`; empty: all cast shadows
+    CopyOnWrite<std::vector<PreparedTexture>> textures;  // of Scene::textures
+    CopyOnWrite<std::vector<std::uint8_t>> no_shadow;    // by row of `materials`; empty: all cast shadows
     CopyOnWrite<std::vector<double>>
         extended;                      // k_extended_values each, by row of `materials`; empty: no uses
     ExtendedFields extended_uses = 0;  // the fields in which a material differs from the default
@@ -120,6 +122,10 @@ struct WorldParts {
     const double* extended_row(std::uint32_t row) const {
         return extended->data() + static_cast<std::size_t>(row) * k_extended_values;
     }
+    /// Whether surfaces may have other colors than their materials: their own, or that of a texture.
+    bool has_surface_colors() const { return !slot_color->empty() || uses<&Material::texture>(); }
+    /// Whether the color of a surface may differ from point to point.
+    bool has_point_colors() const { return geometry->has_mesh_colors || uses<&Material::texture>(); }
     /// The number of the scene's materials; the default material follows them.
     std::uint32_t scene_materials() const {
         return static_cast<std::uint32_t>(materials->size() / k_material_values - 1);

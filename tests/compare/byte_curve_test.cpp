@@ -9,13 +9,14 @@
 
 #include "compare/picture_faults.h"
 #include "math/elementary.h"
+#include "math/srgb.h"
 
 namespace glint::test {
 namespace {
 
 TEST(ByteCurve, IsTheCurveAtEveryValue) {
     using Curve = std::function<double(double)>;
-    const Curve curves[] = {[](double v) { return 1 - v; }, srgb_encode, srgb_decoded,
+    const Curve curves[] = {[](double v) { return 1 - v; }, srgb_encode, srgb_decode,
                             [](double v) { return pow(v, 2.2); },
                             [](double v) { return pow(v, 1 / (2.2 * 2.2)); }};
     constexpr int k_values = 100000;

@@ -13,6 +13,7 @@
 #include "scene/light_fields.h"
 #include "scene/material_fields.h"
 #include "scene/sky_fields.h"
+#include "scene/texture_fields.h"
 
 namespace glint::test {
 namespace {
@@ -38,12 +39,16 @@ std::vector<std::string> rows_below(const std::string& document, const std::stri
 
 std::string value_text(const NumberType& type) { return std::string(type.range.text); }
 std::string value_text(const WholeType& type) { return std::string(type.range.text); }
+std::string value_text(const ChoiceType& type) { return fmt::format("{}", fmt::join(type.words, ", ")); }
+std::string value_text(TextureType) { return "the name of a texture"; }
+std::string value_text(UvMapType) { return "two rows of three numbers"; }
 std::string value_text(BoolType) { return "true or false"; }
 std::string value_text(PointType) { return "(x, y, z)"; }
 std::string value_text(DirectionType) { return "(x, y, z), any length but 0"; }
 std::string value_text(const ColorType&) { return "a color"; }
 std::string value_text(AttenuationType) { return "(c0, c1, c2), each >= 0, not all 0"; }
 
+std::string default_text(std::uint32_t n) { return n == k_none ? "none" : fmt::format("{}", n); }
 std::string default_text(double x) { return fmt::format("{}", x); }
 std::string default_text(std::int32_t value) { return fmt::format("{}", value); }
 std::string default_text(bool value) { return value ? "true" : "false"; }
@@ -176,6 +181,24 @@ TEST(DocumentedFields, OfMaterials) {
     expect_rows(rows_below(read_document("formats/glint.md"), "material"), expected, {});
 }
 
+TEST(DocumentedFields, OfTextures) {
+    std::vector<std::string> expected;
+    for (const ItemField<Texture>& field : k_texture_fields) {
+        std::string row = fmt::format("| {} | ", field.key);
+        std::visit([&](const auto& member) { row += value_text(member.type); }, field.member);
+        visit_field(field, Texture{}, [&](const auto& type, const auto& value) {
+            if constexpr (requires { type.words; }) {
+                row += fmt::format(" | {} | {} |", type.words[static_cast<std::size_t>(value)],
+                                   field.description);
+            } else {
+                row += fmt::format(" | ((1, 0, 0), (0, 1, 0)) | {} |", field.description);
+            }
+        });
+        expected.push_back(row);
+    }
+    expect_rows(rows_below(read_document("formats/glint.md"), "texture"), expected, {});
+}
+
 TEST(DocumentedFields, OfTheCamera) {
     std::vector<std::string> expected;
     for (const ItemField<Camera>& field : k_camera_fields) expected.push_back(row_of(field));
@@ -208,6 +231,7 @@ template <class Item> void expect_distinct(std::span<const ItemField<Item>> fiel
 TEST(Fields, AreDistinct) {
     expect_distinct<Light>(k_light_fields);
     expect_distinct<Material>(k_material_fields);
+    expect_distinct<Texture>(k_texture_fields);
     expect_distinct<Camera>(k_camera_fields);
     expect_distinct<CameraFrame>(k_frame_fields);
 }
@@ -217,7 +241,8 @@ TEST(Fields, HaveAllNumbersOfAMaterial) {
     std::size_t numbers = 0;
     for (const ItemField<Material>& field : k_material_fields)
         visit_bits(field, Material{}, [&](std::uint64_t) { ++numbers; });
-    EXPECT_EQ(sizeof(Material), numbers * sizeof(double));
+    // Two of them, `interior` and `texture`, have four bytes.
+    EXPECT_EQ(sizeof(Material), (numbers - 1) * sizeof(double));
 }
 
 TEST(LightKinds, HaveWords) {

@@ -9,6 +9,7 @@
 
 #include "glint/image.h"
 #include "image/quantize.h"
+#include "math/srgb.h"
 
 namespace glint::test {
 namespace {

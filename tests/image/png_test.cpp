@@ -5,6 +5,7 @@
 #include "image/pictures.h"
 #include "image/quantize.h"
 #include "image/read_png.h"
+#include "math/srgb.h"
 
 namespace glint::test {
 namespace {

@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Writes the values of the hits' materials with the colors of their shapes, or of their meshes' vertices.
+/// Writes the values of the hits' materials with the colors of their shapes, meshes' vertices or textures.
 /// Consecutive hits of one surface share a row if its color is the same everywhere.
 inline void write_colored_rows(const WorldParts& world, SurfaceBatch& surfaces) {
     surfaces.colored_rows.resize(std::size_t{k_batch_size} * k_material_values);
@@ -23,7 +23,7 @@ inline void write_colored_rows(const WorldParts& world, SurfaceBatch& surfaces) 
     std::uint32_t row = 0;
     for (int h = 0; h < surfaces.count; ++h) {
         const SurfaceId id = surfaces.surface(h);
-        if (h == 0 || world.geometry->has_mesh_colors || id != surfaces.surface(h - 1)) {
+        if (h == 0 || world.has_point_colors() || id != surfaces.surface(h - 1)) {
             if (h > 0) ++row;
             const Vec3 point = vec3_at(surfaces.point, h);
             write_surface_values(world, id, &point,
@@ -50,7 +50,7 @@ inline void color_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
     std::fill_n(materials + count, k_ray_padding, materials[count - 1]);
     surfaces.rows = world.materials->data();
     surfaces.row = materials;
-    if (!world.slot_color->empty()) write_colored_rows(world, surfaces);
+    if (world.has_surface_colors()) write_colored_rows(world, surfaces);
 }
 
 }  // namespace HWY_NAMESPACE

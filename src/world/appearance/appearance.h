@@ -14,6 +14,21 @@ inline std::uint32_t material_row(const WorldParts& world, SurfaceId id) {
     return (*world.slot_material)[id.slot];
 }
 
+/// The texture of the surface at a point; nothing without one, or where its picture is not. number: of the
+/// texture in WorldParts::textures, if wanted.
+inline std::optional<TextureSample> surface_texture(const WorldParts& world, SurfaceId id, Vec3 point,
+                                                    std::uint32_t* number = nullptr) {
+    if (!world.uses<&Material::texture>()) return {};
+    const double index = world.extended_row(material_row(world, id))[k_extended_value<&Material::texture>];
+    if (!(index < static_cast<double>(world.textures->size()))) return {};
+    const auto texture = static_cast<std::uint32_t>(index);
+    if (number != nullptr) *number = texture;
+    const PreparedTexture& prepared = (*world.textures)[texture];
+    const std::optional<TexturePlace> place = texture_place(*world.geometry, prepared, id, point);
+    if (!place) return {};
+    return sample_texture(prepared, *place);
+}
+
 /// The surface's own color at a point: that of the mesh's vertices, else the shape's; not set if there is
 /// none. point: nullptr for the largest color of the mesh's triangle.
 inline ShapeColor own_color(const WorldParts& world, SurfaceId id, const Vec3* point) {
@@ -27,19 +42,34 @@ inline ShapeColor own_color(const WorldParts& world, SurfaceId id, const Vec3* p
     return {c[0], c[1], c[2]};
 }
 
-/// Writes the k_material_values of a surface: its material's row, with its own_color().
+/// Replaces the color of a material's values, as with_color() does.
+inline void replace_color(const WorldParts& world, std::uint32_t row, Color color, double* values) {
+    const double channels[3] = {color.r, color.g, color.b};
+    const double* factors = world.color_factors->data() + std::size_t{row} * k_color_factors;
+    for (int c = 0; c < 3; ++c) {
+        values[k_color + c] = channels[c];
+        for (int i = 0; i < k_color_factors; ++i) {  // of k_ambient, k_diffuse and k_specular
+            if (factors[i] == factors[i]) values[3 * i + c] = factors[i] * channels[c];
+        }
+    }
+}
+
+/// Writes the k_material_values of a surface: its material's row, with its own_color() and its texture.
+/// Without a point, the texture is white.
 inline void write_surface_values(const WorldParts& world, SurfaceId id, const Vec3* point, double* to) {
     const std::uint32_t row = material_row(world, id);
     std::copy_n(world.material(row), k_material_values, to);
     const ShapeColor color = own_color(world, id, point);
-    if (!color.is_set()) return;
-    const double channels[3] = {color.r, color.g, color.b};
-    const double* factors = world.color_factors->data() + std::size_t{row} * k_color_factors;
+    if (color.is_set()) replace_color(world, row, color.color(), to);
+    if (point == nullptr) return;
+    std::uint32_t number = 0;
+    const std::optional<TextureSample> texture = surface_texture(world, id, *point, &number);
+    if (!texture) return;
+    if ((*world.textures)[number].mix == TextureMix::replace)
+        return replace_color(world, row, texture->color, to);
+    const double channels[3] = {texture->color.r, texture->color.g, texture->color.b};
     for (int c = 0; c < 3; ++c) {
-        to[k_color + c] = channels[c];
-        for (int i = 0; i < k_color_factors; ++i) {  // of k_ambient, k_diffuse and k_specular
-            if (factors[i] == factors[i]) to[3 * i + c] = factors[i] * channels[c];
-        }
+        for (const int k : {k_color, k_ambient, k_diffuse}) to[k + c] *= channels[c];
     }
 }
 /// With the largest color of a mesh's triangle.
@@ -49,11 +79,11 @@ inline std::array<double, k_material_values> surface_values(const WorldParts& wo
     return values;
 }
 
-/// The color of the surface at a point: its own or its material's.
+/// The color of the surface at a point.
 inline Color surface_color(const WorldParts& world, SurfaceId id, Vec3 point) {
-    const ShapeColor own = own_color(world, id, &point);
-    const double* const k = world.material(material_row(world, id)) + k_color;
-    return own.is_set() ? own.color() : Color{k[0], k[1], k[2]};
+    double values[k_material_values];
+    write_surface_values(world, id, &point, values);
+    return {values[k_color], values[k_color + 1], values[k_color + 2]};
 }
 
 /// The word of the object to which the surface belongs (FogInteriors); 0: it is hollow.

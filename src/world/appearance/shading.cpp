@@ -136,14 +136,16 @@ std::vector<float> find_slot_colors(std::span<const ShapeColor> colors, const Pa
 }
 
 void set_colors(WorldParts& parts, std::span<const ShapeColor> colors, int threads) {
-    std::vector<float> columns = find_slot_colors(colors, *parts.geometry, threads);
-    if (columns.empty()) {
-        if (parts.slot_color->empty()) return;
-        parts.color_factors = std::vector<double>();
-    } else {
+    parts.slot_color = find_slot_colors(colors, *parts.geometry, threads);
+    set_color_factors(parts);
+}
+
+void set_color_factors(WorldParts& parts) {
+    if (parts.has_surface_colors()) {
         parts.color_factors = find_color_factors(*parts.materials);
+    } else if (!parts.color_factors->empty()) {
+        parts.color_factors = std::vector<double>();
     }
-    parts.slot_color = std::move(columns);
 }
 
 PreparedLights prepare_lights(std::span<const Light> lights) {

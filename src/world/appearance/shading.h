@@ -23,6 +23,8 @@ std::vector<double> find_color_factors(std::span<const double> materials);
 /// WorldParts::slot_color. colors: by shape, as Scene::shape_colors.
 std::vector<float> find_slot_colors(std::span<const ShapeColor> colors, const PackedGeometry& geometry,
                                     int threads);
+/// Sets WorldParts::color_factors.
+void set_color_factors(WorldParts& parts);
 /// Gives the World's shapes these colors.
 void set_colors(WorldParts& parts, std::span<const ShapeColor> colors, int threads);
 /// Writes one row of the table.

@@ -17,18 +17,30 @@ const MeshData* mesh_if_any(const PackedGeometry& geometry, const ShapeClass& sh
     return shapes.kind == ShapeKind::mesh ? mesh_of(geometry, shapes, id.slot).data.get() : nullptr;
 }
 
-}  // namespace
-
-ShapeColor mesh_color(const PackedGeometry& geometry, SurfaceId id, Vec3 point) {
+// The values at the corners, weighted by the point's barycentric coordinates. Nothing without values.
+std::optional<Vec3> interpolated(const PackedGeometry& geometry, SurfaceId id, Vec3 point,
+                                 CornerValues MeshData::*values) {
     const ShapeClass& shapes = geometry.class_of(id.slot);
     const MeshData* const mesh = mesh_if_any(geometry, shapes, id);
     if (mesh == nullptr) return {};
-    const auto colors = mesh->corner_values(mesh->colors, id.element);
-    if (!colors) return {};
+    const auto corners = mesh->corner_values(mesh->*values, id.element);
+    if (!corners) return {};
     const std::array<double, 3> weights = mesh_barycentrics(shapes, *mesh, id, {point.x, point.y, point.z});
     Vec3 sum;
-    for (std::size_t i = 0; i < 3; ++i) sum = sum + to_vec3((*colors)[i]) * weights[i];
-    return {static_cast<float>(sum.x), static_cast<float>(sum.y), static_cast<float>(sum.z)};
+    for (std::size_t i = 0; i < 3; ++i) sum = sum + to_vec3((*corners)[i]) * weights[i];
+    return sum;
+}
+
+}  // namespace
+
+ShapeColor mesh_color(const PackedGeometry& geometry, SurfaceId id, Vec3 point) {
+    const std::optional<Vec3> c = interpolated(geometry, id, point, &MeshData::colors);
+    if (!c) return {};
+    return {static_cast<float>(c->x), static_cast<float>(c->y), static_cast<float>(c->z)};
+}
+
+std::optional<Vec3> mesh_texture_coordinates(const PackedGeometry& geometry, SurfaceId id, Vec3 point) {
+    return interpolated(geometry, id, point, &MeshData::texture_coordinates);
 }
 
 ShapeColor brightest_mesh_color(const PackedGeometry& geometry, SurfaceId id) {

@@ -12,6 +12,10 @@ namespace glint {
 /// in the triangle. Not set if the shape has no mesh, or the triangle no colors.
 ShapeColor mesh_color(const PackedGeometry& geometry, SurfaceId id, Vec3 point);
 
+/// The texture coordinates at a point in the world, likewise interpolated; z is 0. Nothing if the triangle
+/// has none.
+std::optional<Vec3> mesh_texture_coordinates(const PackedGeometry& geometry, SurfaceId id, Vec3 point);
+
 /// The largest color of the triangle's corners, by channel.
 ShapeColor brightest_mesh_color(const PackedGeometry& geometry, SurfaceId id);
 

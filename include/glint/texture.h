@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// Pictures on surfaces: what a Texture is, and the pixels that it shows.
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "glint/vec.h"
+
+namespace glint {
+
+/// The greatest width and height of a TextureImage.
+inline constexpr std::uint32_t k_max_texture_size = 32768;
+
+/// The pixels of a texture ("texels"), as they are in the picture's file. A Scene and its copies share it
+/// (Texture::image), so it must not change once it is in a Scene.
+struct TextureImage {
+    std::uint32_t width = 0, height = 0;  ///< 1 to k_max_texture_size
+    bool has_alpha = false;               ///< r, g, b, a for each texel; otherwise r, g, b
+    /// Rows from the top, texels from the left. The alpha is not multiplied into the colors.
+    std::variant<std::vector<std::uint8_t>, std::vector<std::uint16_t>> words;
+
+    std::uint32_t channels() const { return has_alpha ? 4 : 3; }
+    friend bool operator==(const TextureImage&, const TextureImage&) = default;
+};
+
+/// What is beside the picture, where u or v is below 0 or above 1. repeat: the picture again. mirror: the
+/// picture again, every other one reversed. clamp: the texels of its border. once: nothing; the surface
+/// has no texture there.
+enum class TextureWrap : std::uint8_t { repeat, mirror, clamp, once };
+
+/// nearest: the texel that contains the point. bilinear: between the middles of the four nearest texels.
+enum class TextureFilter : std::uint8_t { nearest, bilinear };
+
+/// What the texture's color does. multiply: the material's color, k_a and k_d are multiplied by it, channel
+/// by channel; k_s is not. replace: the surface looks as if it had with_color(its material, the texture's
+/// color).
+enum class TextureMix : std::uint8_t { multiply, replace };
+
+/// What the texels' words are. srgb: decoded by the sRGB curve (IEC 61966-2-1), before they are mixed.
+/// linear: word / 255, or word / 65535. Alpha is always linear.
+enum class TextureEncoding : std::uint8_t { srgb, linear };
+
+/// Where u and v come from. uv: the numbers at a mesh's vertices (MeshData::texture_coordinates); shapes
+/// without them have no texture. The others depend on the point p in the texture's coordinates
+/// (Texture::world_from_texture). planar: u = p.x, v = p.y. spherical: u goes around the y axis, v from the
+/// pole at -y to that at +y. cylindrical: u goes around the y axis, v = p.y. Around the axis, u = 0.5 is at
+/// +z, 0.75 at +x.
+enum class TextureMapping : std::uint8_t { uv, planar, spherical, cylindrical };
+
+/// An affine map of u and v, as rows.
+struct UvMap {
+    double m[2][3] = {{1, 0, 0}, {0, 1, 0}};
+    friend bool operator==(const UvMap&, const UvMap&) = default;
+};
+
+/// A picture on a surface (Material::texture). u goes to the right and v up; (0, 0) is the lower left corner
+/// of the picture, (1, 1) its upper right corner.
+struct Texture {
+    std::shared_ptr<const TextureImage> image;
+    TextureMapping mapping = TextureMapping::uv;
+    TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
+    TextureFilter filter = TextureFilter::bilinear;
+    TextureMix mix = TextureMix::multiply;
+    TextureEncoding encoding = TextureEncoding::srgb;
+    /// u and v in the picture from those of the surface: (a u + b v + c, d u + e v + f).
+    UvMap uv_map{};
+    Affine world_from_texture{};  ///< for mappings other than uv; invertible
+    std::string file{};           ///< the name of the picture's file; empty: none
+
+    friend bool operator==(const Texture&, const Texture&) = default;
+};
+
+}  // namespace glint

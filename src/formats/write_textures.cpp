@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/write_textures.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "scene/texture_fields.h"
+
+namespace glint {
+namespace {
+
+void write_texels(BlockWriter& block, const TextureImage& image) {
+    std::string& text = block.key("texels");
+    text += '(';
+    std::visit(
+        [&](const auto& words) {
+            const int digits = 2 * static_cast<int>(sizeof(words[0]));
+            auto word = words.begin();
+            for (std::uint32_t row = 0; row < image.height; ++row) {
+                if (row > 0) text += ", ";
+                block.allow_break();
+                text += '"';
+                for (std::uint32_t column = 0; column < image.width; ++column) {
+                    if (column > 0) text += ' ';
+                    for (std::uint32_t c = 0; c < image.channels(); ++c)
+                        fmt::format_to(std::back_inserter(text), "{:0{}x}", *word++, digits);
+                }
+                text += '"';
+            }
+        },
+        image.words);
+    text += ')';
+}
+
+}  // namespace
+
+void write_textures(BlockWriter& block, const Scene& scene, const MaterialPlan& plan,
+                    const SceneComments& comments) {
+    for (std::uint32_t i = 0; i < scene.textures.size(); ++i) {
+        const Texture& texture = scene.textures[i];
+        std::string head = "texture ";
+        append_name(head, plan.texture_name(i));
+        block.begin(head);
+        if (texture.file.empty()) {
+            write_texels(block, *texture.image);
+        } else {
+            append_quoted(block.key("file"), texture.file);
+        }
+        for (const ItemField<Texture>& field : k_texture_fields) {
+            if (!same_bits(field, texture, Texture{})) write_field(block, field, texture);
+        }
+        if (!(texture.world_from_texture == Affine{})) write_map(block, texture.world_from_texture);
+        comments.end_block(block, ItemKind::texture, i);
+    }
+}
+
+}  // namespace glint

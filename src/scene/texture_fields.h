@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <string_view>
+
+#include "scene/fields.h"
+
+namespace glint {
+
+inline constexpr std::string_view k_wrap_words[] = {"repeat", "mirror", "clamp", "once"};
+inline constexpr std::string_view k_filter_words[] = {"nearest", "bilinear"};
+inline constexpr std::string_view k_mix_words[] = {"multiply", "replace"};
+inline constexpr std::string_view k_encoding_words[] = {"srgb", "linear"};
+inline constexpr std::string_view k_mapping_words[] = {"uv", "planar", "spherical", "cylindrical"};
+
+template <> struct FieldMembers<Texture> {
+    template <class Choice> using Chosen = FieldMember<Texture, Choice, ChoiceType>;
+    using Any =
+        std::variant<Chosen<TextureMapping>, Chosen<TextureWrap>, Chosen<TextureFilter>, Chosen<TextureMix>,
+                     Chosen<TextureEncoding>, FieldMember<Texture, UvMap, UvMapType>>;
+};
+
+/// .glint also has `file` or `texels`, and the keys of transforms.
+inline constexpr ItemField<Texture> k_texture_fields[] = {
+    {"mapping", "mapping", "mapping", choice_field(&Texture::mapping, k_mapping_words),
+     "where u and v come from: a mesh's vertices, or the point in the texture's coordinates"},
+    {"wrap_u", "wrap_u", "wrap of u", choice_field(&Texture::wrap_u, k_wrap_words),
+     "what is to the left and right of the picture"},
+    {"wrap_v", "wrap_v", "wrap of v", choice_field(&Texture::wrap_v, k_wrap_words),
+     "what is below and above it"},
+    {"filter", "filter", "filter", choice_field(&Texture::filter, k_filter_words),
+     "the texel at the point, or a mean of four"},
+    {"mix", "mix", "mix", choice_field(&Texture::mix, k_mix_words),
+     "whether the material's color, k_a and k_d are multiplied by the texture's color, or the color is "
+     "replaced"},
+    {"encoding", "encoding", "encoding", choice_field(&Texture::encoding, k_encoding_words),
+     "whether the texels are decoded by the sRGB curve"},
+    {"uv_map", "uv_map", "map of u and v", uv_map_field(&Texture::uv_map),
+     "two rows of three numbers: a u + b v + c and d u + e v + f are used instead of u and v"},
+};
+
+}  // namespace glint

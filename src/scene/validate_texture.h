@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <string>
+
+#include "glint/texture.h"
+
+namespace glint {
+
+/// What is wrong with the image of a texture, as "expected ..., found ..."; empty: nothing.
+std::string mistake_in(const Texture& texture);
+
+}  // namespace glint

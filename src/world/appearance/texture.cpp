@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/appearance/texture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "math/elementary.h"
+#include "math/number.h"
+#include "math/srgb.h"
+#include "math/transform.h"
+#include "world/geometry/mesh_surface.h"
+
+namespace glint {
+namespace {
+
+constexpr double k_two_pi = 0x1.921fb54442d18p+2;
+
+TexelValues make_values(int most, bool is_srgb) {
+    auto values = std::make_shared<std::vector<double>>();
+    values->reserve(static_cast<std::size_t>(most) + 1);
+    for (int word = 0; word <= most; ++word) {
+        const double linear = static_cast<double>(word) / most;
+        values->push_back(is_srgb ? srgb_decode(linear) : linear);
+    }
+    return values;
+}
+
+// The values of 8 and of 16 bits, linear and of the sRGB curve, made when the first texture needs them.
+class ValueTables {
+  public:
+    TexelValues of(const TextureImage& image, bool is_srgb) {
+        const bool is_long = image.words.index() == 1;
+        TexelValues& values = values_[is_long][is_srgb];
+        if (!values) values = make_values(is_long ? 65535 : 255, is_srgb);
+        return values;
+    }
+
+  private:
+    TexelValues values_[2][2];
+};
+
+// Doubles of this size and larger have no fraction: they are at the border of texels.
+constexpr double k_whole = 0x1p52;
+
+// u or v in the picture, from 0 to 1 unless `once`; nothing beside it.
+std::optional<double> wrapped(double x, TextureWrap wrap) {
+    if (!(number::abs(x) < k_whole)) x = 0;  // no picture has texels that small; NaN too
+    switch (wrap) {
+        case TextureWrap::repeat:
+            return x - std::floor(x);
+        case TextureWrap::mirror: {
+            const double pair = x - 2 * std::floor(x / 2);  // 0 to 2
+            return pair > 1 ? 2 - pair : pair;
+        }
+        case TextureWrap::clamp:
+            return x < 0 ? 0 : x > 1 ? 1 : x;
+        case TextureWrap::once:
+            if (x < 0 || x > 1) return std::nullopt;
+            return x;
+    }
+    return x;
+}
+
+// The number of a texel beside the picture's first or last.
+std::int32_t neighbour(std::int32_t i, std::int32_t size, TextureWrap wrap) {
+    if (i >= 0 && i < size) return i;
+    if (wrap == TextureWrap::repeat) return i < 0 ? size - 1 : 0;
+    return i < 0 ? 0 : size - 1;
+}
+
+// The texels along one direction: `at` from 0 to 1 in the picture.
+struct Pair {
+    std::array<std::int32_t, 2> texels;
+    double second = 0;  // the weight of the second one
+};
+Pair texels_at(double at, std::uint32_t count, TextureWrap wrap, TextureFilter filter) {
+    const auto size = static_cast<std::int32_t>(count);
+    const double x = at * count;
+    if (filter == TextureFilter::nearest) {
+        const std::int32_t i = std::min(static_cast<std::int32_t>(x), size - 1);
+        return {{i, i}};
+    }
+    const double from_middle = x - 0.5, first = std::floor(from_middle);
+    const auto i = static_cast<std::int32_t>(first);
+    return {{neighbour(i, size, wrap), neighbour(i + 1, size, wrap)}, from_middle - first};
+}
+
+// The mean of two numbers is exact where they are equal.
+double mixed(double a, double b, double second) { return a + (b - a) * second; }
+
+struct Channels {
+    double values[4] = {0, 0, 0, 1};
+};
+Channels mixed(const Channels& a, const Channels& b, double second) {
+    Channels c;
+    for (int i = 0; i < 4; ++i) c.values[i] = mixed(a.values[i], b.values[i], second);
+    return c;
+}
+
+Channels texel(const PreparedTexture& texture, std::int32_t column, std::int32_t row) {
+    const TextureImage& image = *texture.image;
+    const std::size_t first =
+        (static_cast<std::size_t>(row) * image.width + static_cast<std::size_t>(column)) * image.channels();
+    Channels channels;
+    std::visit(
+        [&](const auto& words) {
+            for (std::size_t c = 0; c < 3; ++c) channels.values[c] = (*texture.colors)[words[first + c]];
+            if (image.has_alpha) channels.values[3] = (*texture.alphas)[words[first + 3]];
+        },
+        image.words);
+    return channels;
+}
+
+// u around the y axis: 0.5 at +z, 0.75 at +x.
+double around(Vec3 p) { return 0.5 + atan2(p.x, p.z) / k_two_pi; }
+
+// From 0 at -y to 1 at +y.
+double up(Vec3 p) {
+    const double beside = number::sqrt(p.x * p.x + p.z * p.z);
+    return 0.5 + atan2(p.y, beside) * 2 / k_two_pi;
+}
+
+// u and v of the surface, before Texture::uv_map.
+std::optional<TexturePlace> surface_uv(const PackedGeometry& geometry, const PreparedTexture& texture,
+                                       SurfaceId id, Vec3 point) {
+    if (texture.mapping == TextureMapping::uv) {
+        const std::optional<Vec3> uv = mesh_texture_coordinates(geometry, id, point);
+        if (!uv) return std::nullopt;
+        return TexturePlace{uv->x, uv->y};
+    }
+    const Vec3 p = transform_point(texture.texture_from_world, point);
+    switch (texture.mapping) {
+        case TextureMapping::spherical:
+            return TexturePlace{around(p), up(p)};
+        case TextureMapping::cylindrical:
+            return TexturePlace{around(p), p.y};
+        case TextureMapping::planar:
+        case TextureMapping::uv:
+            break;
+    }
+    return TexturePlace{p.x, p.y};
+}
+
+}  // namespace
+
+std::vector<PreparedTexture> prepare_textures(std::span<const Texture> textures) {
+    std::vector<PreparedTexture> prepared;
+    ValueTables tables;
+    for (const Texture& texture : textures) {
+        PreparedTexture& p = prepared.emplace_back();
+        static_cast<Texture&>(p) = texture;
+        p.texture_from_world = inverse(texture.world_from_texture).value_or(Affine{});
+        p.colors = tables.of(*texture.image, texture.encoding == TextureEncoding::srgb);
+        if (texture.image->has_alpha) p.alphas = tables.of(*texture.image, false);
+    }
+    return prepared;
+}
+
+std::optional<TexturePlace> texture_place(const PackedGeometry& geometry, const PreparedTexture& texture,
+                                          SurfaceId id, Vec3 point) {
+    const std::optional<TexturePlace> at = surface_uv(geometry, texture, id, point);
+    if (!at) return std::nullopt;
+    const auto& m = texture.uv_map.m;
+    return TexturePlace{m[0][0] * at->u + m[0][1] * at->v + m[0][2],
+                        m[1][0] * at->u + m[1][1] * at->v + m[1][2]};
+}
+
+std::optional<TextureSample> sample_texture(const PreparedTexture& texture, TexturePlace place) {
+    const auto u = wrapped(place.u, texture.wrap_u), v = wrapped(place.v, texture.wrap_v);
+    if (!u || !v) return std::nullopt;
+    const TextureImage& image = *texture.image;
+    const Pair columns = texels_at(*u, image.width, texture.wrap_u, texture.filter),
+               rows = texels_at(1 - *v, image.height, texture.wrap_v, texture.filter);
+    TextureSample sample{place, columns.texels, rows.texels, columns.second, rows.second, {}, 1};
+    const auto row = [&](std::size_t i) {
+        const Channels left = texel(texture, sample.columns[0], sample.rows[i]);
+        if (texture.filter == TextureFilter::nearest) return left;
+        return mixed(left, texel(texture, sample.columns[1], sample.rows[i]), sample.right);
+    };
+    Channels found = row(0);
+    if (texture.filter == TextureFilter::bilinear) found = mixed(found, row(1), sample.lower);
+    sample.color = {found.values[0], found.values[1], found.values[2]};
+    sample.alpha = found.values[3];
+    return sample;
+}
+
+}  // namespace glint

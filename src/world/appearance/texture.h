@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+// The colors of textures. docs/lighting.md defines them to the bit.
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "glint/scene.h"
+#include "world/geometry/packed_geometry.h"
+
+namespace glint {
+
+/// The values of an image's words: word / 255 or word / 65535, or decoded by the sRGB curve.
+using TexelValues = std::shared_ptr<const std::vector<double>>;
+
+struct PreparedTexture : Texture {
+    Affine texture_from_world;
+    TexelValues colors, alphas;  // by word
+};
+
+/// Throws std::bad_alloc.
+std::vector<PreparedTexture> prepare_textures(std::span<const Texture> textures);
+
+/// The place of a surface point in a texture's picture.
+struct TexturePlace {
+    double u = 0, v = 0;  // after Texture::uv_map; finite
+};
+
+/// A texture at a place: the texels, and how they are mixed.
+struct TextureSample {
+    TexturePlace place;
+    /// The texels' columns from the left and rows from the top; with TextureFilter::nearest, the first ones.
+    std::array<std::int32_t, 2> columns{}, rows{};
+    double right = 0, lower = 0;  // weights of the second column and of the second row
+    Color color;
+    double alpha = 1;
+};
+
+/// The place of a surface's point; nothing without texture coordinates, or where the picture is not.
+std::optional<TexturePlace> texture_place(const PackedGeometry& geometry, const PreparedTexture& texture,
+                                          SurfaceId id, Vec3 point);
+
+/// The texture at a place. Nothing beside the picture, with TextureWrap::once.
+std::optional<TextureSample> sample_texture(const PreparedTexture& texture, TexturePlace place);
+
+}  // namespace glint
