@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "base/status.h"
 #include "image/decoders.h"
 
 namespace glint {
@@ -13,9 +15,12 @@ constexpr std::uint32_t k_largest = 65535;  // of a sample
 
 bool is_space(std::uint8_t c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
+// After an error, all that it reads is 0.
 class Reader {
   public:
     Reader(ByteSpan bytes, std::size_t at) : bytes_(bytes), at_(at) {}
+
+    const Status& error() const { return error_; }
 
     std::size_t left() const { return bytes_.size() - at_; }
     std::uint8_t byte() { return bytes_[at_++]; }
@@ -29,50 +34,59 @@ class Reader {
                 while (left() > 0 && bytes_[at_] != '\n' && bytes_[at_] != '\r') ++at_;
             }
         }
-        if (left() == 0) throw Undecodable(fmt::format("the PPM file ends before {}", what));
+        if (left() == 0) return fail(fmt::format("the PPM file ends before {}", what));
         std::uint32_t value = 0;
         const std::size_t start = at_;
         for (; left() > 0 && bytes_[at_] >= '0' && bytes_[at_] <= '9'; ++at_) {
             value = value * 10 + (bytes_[at_] - std::uint32_t{'0'});
-            if (value > most)
-                throw Undecodable(fmt::format("in the PPM file, {} is more than {}", what, most));
+            if (value > most) return fail(fmt::format("in the PPM file, {} is more than {}", what, most));
         }
         if (at_ == start)
-            throw Undecodable(fmt::format("in the PPM file, byte {} is no number: expected {}", at_, what));
+            return fail(fmt::format("in the PPM file, byte {} is no number: expected {}", at_, what));
         return value;
     }
 
     // Reads the single space that ends a raw file's header.
     void end_header() {
-        if (left() == 0 || !is_space(byte()))
-            throw Undecodable("in the PPM file, no space follows the maximum");
+        if (left() == 0 || !is_space(byte())) fail("in the PPM file, no space follows the maximum");
     }
 
   private:
+    std::uint32_t fail(std::string message) {
+        if (error_.ok()) error_ = failure(ErrorCode::parse, std::move(message));
+        at_ = bytes_.size();
+        return 0;
+    }
+
     ByteSpan bytes_;
     std::size_t at_;
+    Status error_;
 };
 
 }  // namespace
 
-DecodedPicture decode_ppm(ByteSpan bytes, const DecoderOptions& options) {
+Result<DecodedPicture> decode_ppm(ByteSpan bytes, const DecoderOptions& options) {
     const bool is_grey = bytes[1] == '2' || bytes[1] == '5', is_raw = bytes[1] >= '5';
     Reader in(bytes, 2);
     // The limits are larger than the allowed size, so that check_size() reports the error.
     const std::uint32_t width = in.number("the width", 99999999);
     const std::uint32_t height = in.number("the height", 99999999);
-    check_size(width, height, options);
+    if (!in.error().ok()) return in.error();
+    if (Status fault = size_fault(width, height, options); !fault.ok()) return fault;
     const std::uint32_t most = in.number("the maximum", k_largest);
-    if (most == 0) throw Undecodable("in the PPM file, the maximum is 0");
     if (is_raw) in.end_header();
+    if (!in.error().ok()) return in.error();
+    if (most == 0) return failure(ErrorCode::parse, "in the PPM file, the maximum is 0");
     const std::size_t pixels = std::size_t{width} * height, samples = pixels * (is_grey ? 1 : 3);
     const std::size_t bytes_each = most < 256 ? 1 : 2;
     // In a text file, a sample has at least two bytes; the last one has at least one.
     if (in.left() < (is_raw ? samples * bytes_each : 2 * samples - 1))
-        throw Undecodable("the PPM file is cut off");
+        return failure(ErrorCode::parse, "the PPM file is cut off");
 
     const std::uint64_t row_bytes = 3 * bytes_each * width;
-    DecodedPicture result{make_picture(width, height, most, row_bytes, options), most < 256 ? 8 : 16, {}};
+    Result<StoredPicture> picture = new_picture(width, height, most, row_bytes, options);
+    if (!picture) return Status(std::move(picture));
+    DecodedPicture result{*std::move(picture), most < 256 ? 8 : 16, {}};
     const auto sample = [&] {
         std::uint32_t value = 0;
         if (!is_raw) {
@@ -85,7 +99,7 @@ DecodedPicture decode_ppm(ByteSpan bytes, const DecoderOptions& options) {
     };
     const auto read = [&](auto row) {
         using Number = typename decltype(row)::value_type;
-        for (std::int32_t y = 0; y < result.picture.height; ++y) {
+        for (std::int32_t y = 0; y < result.picture.height && in.error().ok(); ++y) {
             for (std::size_t i = 0; i < row.size(); i += 3) {
                 row[i] = static_cast<Number>(sample());
                 for (std::size_t c = i + 1; c < i + 3; ++c)
@@ -98,6 +112,7 @@ DecodedPicture decode_ppm(ByteSpan bytes, const DecoderOptions& options) {
         read(std::vector<std::uint8_t>(std::size_t{3} * width));
     else
         read(std::vector<std::uint16_t>(std::size_t{3} * width));
+    if (!in.error().ok()) return in.error();
     return result;
 }
 
