@@ -7,6 +7,8 @@ if(NOT GLINT_BROWSER)
   option(GLINT_WITH_JPEG "Read and write JPEG (libjpeg)" ON)
   option(GLINT_WITH_TBB "Threads of oneTBB; without it, of the standard library" ON)
 endif()
+# Without it, decode_texture() reads TGA and PPM only.
+option(GLINT_WITH_TEXTURE_FILES "Read textures in PNG and JPEG (stb_image)" ON)
 # For platforms that Debian has no packages for: the header-only parts of the host's packages, in a folder of their own.
 option(GLINT_HEADERS_OF_HOST "Take header-only libraries from /usr/include" ${GLINT_BROWSER})
 if(GLINT_HEADERS_OF_HOST)
@@ -25,6 +27,14 @@ if(GLINT_HEADERS_OF_HOST)
   endforeach()
   # FMT_STATIC_THOUSANDS_SEPARATOR: without <locale>, which glint does not use and the page would have to download.
   target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY "FMT_STATIC_THOUSANDS_SEPARATOR=','")
+endif()
+if(GLINT_WITH_TEXTURE_FILES)
+  # Debian's folder has only these headers, so that builds for other platforms see nothing else of /usr/include.
+  if(GLINT_HEADERS_OF_HOST)
+    find_path(GLINT_STB_INCLUDE_DIR stb_image.h PATHS /usr/include/stb NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH REQUIRED)
+  else()
+    find_path(GLINT_STB_INCLUDE_DIR stb_image.h PATH_SUFFIXES stb REQUIRED)
+  endif()
 endif()
 if(GLINT_BROWSER)
   set(GLINT_LIBRARIES hwy::hwy fmt::fmt)  # a worker of the browser has one thread: no oneTBB

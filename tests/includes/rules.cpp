@@ -106,7 +106,7 @@ const std::vector<Module>& modules() {
          {"fmt/", "fast_float/", "nlohmann/"}},
         {"image",
          {"base", "math"},
-         {"fmt/", "zlib.h", "png.h", "jerror.h", "jpeglib.h", "Imf", "Imath"},
+         {"fmt/", "zlib.h", "png.h", "jerror.h", "jpeglib.h", "Imf", "Imath", "stb_image.h"},
          false},
         {"journal", {"base"}, {"fmt/", "zlib.h", "xxhash.h"}, false},
         {"output", {"base", "trace", "image", "journal"}, {}, false},
