@@ -53,7 +53,7 @@ class Reader {
 
   private:
     std::uint32_t fail(std::string message) {
-        if (error_.ok()) error_ = failure(ErrorCode::parse, std::move(message));
+        if (error_.ok()) error_ = undecodable(std::move(message));
         at_ = bytes_.size();
         return 0;
     }
@@ -76,12 +76,12 @@ Result<DecodedPicture> decode_ppm(ByteSpan bytes, const DecoderOptions& options)
     const std::uint32_t most = in.number("the maximum", k_largest);
     if (is_raw) in.end_header();
     if (!in.error().ok()) return in.error();
-    if (most == 0) return failure(ErrorCode::parse, "in the PPM file, the maximum is 0");
+    if (most == 0) return undecodable("in the PPM file, the maximum is 0");
     const std::size_t pixels = std::size_t{width} * height, samples = pixels * (is_grey ? 1 : 3);
     const std::size_t bytes_each = most < 256 ? 1 : 2;
     // In a text file, a sample has at least two bytes; the last one has at least one.
     if (in.left() < (is_raw ? samples * bytes_each : 2 * samples - 1))
-        return failure(ErrorCode::parse, "the PPM file is cut off");
+        return undecodable("the PPM file is cut off");
 
     const std::uint64_t row_bytes = 3 * bytes_each * width;
     Result<StoredPicture> picture = new_picture(width, height, most, row_bytes, options);

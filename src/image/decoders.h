@@ -36,6 +36,9 @@ struct DecoderOptions : DecodeOptions {
 /// As decode(), with the numbers of the file. Never throws.
 Result<DecodedPicture> decode_stored(ByteSpan bytes, const DecoderOptions& options);
 
+/// An error of a file, for decoders that do not throw.
+Status undecodable(std::string message);
+
 /// A failure if the picture's size is invalid or too large; check_size() throws it as a StatusError.
 Status size_fault(std::int64_t width, std::int64_t height, const DecoderOptions& options);
 void check_size(std::int64_t width, std::int64_t height, const DecodeOptions& options);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sizes and the memory that a decoder may have.
+// The sizes and the memory that a decoder may have, and its errors.
 #include <fmt/format.h>
+
+#include <utility>
 
 #include "base/memory_limit.h"
 #include "base/status.h"
@@ -14,16 +16,16 @@ constexpr std::uint64_t k_decoding = std::uint64_t{1} << 29, k_decoding_each = 2
 
 }  // namespace
 
+Status undecodable(std::string message) { return failure(ErrorCode::parse, std::move(message)); }
+
 Status size_fault(std::int64_t width, std::int64_t height, const DecoderOptions& options) {
     if (width < 1 || height < 1 || width > options.max_side || height > options.max_side) {
-        return failure(ErrorCode::parse,
-                       fmt::format("a picture of {} x {} pixels; those read have 1 to {} a side", width,
-                                   height, options.max_side));
+        return undecodable(fmt::format("a picture of {} x {} pixels; those read have 1 to {} a side", width,
+                                       height, options.max_side));
     }
     if (width * height > options.max_pixels) {
-        return failure(ErrorCode::parse,
-                       fmt::format("a picture of {} x {} pixels; those read have at most {} in all", width,
-                                   height, options.max_pixels));
+        return undecodable(fmt::format("a picture of {} x {} pixels; those read have at most {} in all",
+                                       width, height, options.max_pixels));
     }
     return {};
 }

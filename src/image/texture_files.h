@@ -18,9 +18,6 @@ Result<TextureImage> decode_tga_texture(ByteSpan file, const DecoderOptions& opt
 /// Whether the bytes begin with a possible header of a TGA file.
 bool may_be_tga(ByteSpan file);
 
-/// An error of the file.
-Status undecodable(std::string message);
-
 /// Texels from 1 to 4 channels a pixel: grey, grey and alpha, RGB, RGBA.
 template <class Word>
 TextureImage texels_of(std::uint32_t width, std::uint32_t height, std::size_t channels, const Word* from) {

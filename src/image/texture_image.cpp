@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Selects the decoder of a texture's picture. A file by itself, because glint-core.wasm leaves it out (src/wasm/left_out.cpp).
+// Selects the decoder of a texture's picture. A file by itself, because glint-core.wasm leaves it out
+// (src/wasm/left_out.cpp): other files may use nothing else of it.
 #include "image/texture_image.h"
 
 #include <algorithm>
@@ -67,8 +68,6 @@ Result<TextureImage> decode_any_texture(ByteSpan file, const DecoderOptions& opt
 }
 
 }  // namespace
-
-Status undecodable(std::string message) { return failure(ErrorCode::parse, std::move(message)); }
 
 Result<TextureImage> decode_texture(std::span<const std::uint8_t> bytes, const DecodeOptions& options) {
     return result_of([&] { return decode_any_texture(bytes, {options, false, k_max_texture_size}); });

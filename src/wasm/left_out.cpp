@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // glint-core.wasm, which the page starts with, is linked from the same objects as glint.wasm, but with these
-// functions in place of formats/povray, Tachyon's reader, compare, check and diagnose: almost half of the
-// file.
-// They are all that others call of these, so the linker takes nothing else of them. A call that needs one
-// cannot be answered: glint_left_out() then says so, and the page repeats it with glint.wasm.
+// functions in place of formats/povray, Tachyon's reader, compare, check, diagnose and the decoders of
+// textures: almost half of the file. They are all that others call of these, so the linker takes nothing else
+// of them. A call that needs one cannot be answered: glint_left_out() then says so, and the page repeats it
+// with glint.wasm.
 #include <cstdint>
 
 #include "formats/povray/standard_includes.h"
@@ -11,6 +11,7 @@
 #include "glint/check.h"
 #include "glint/compare.h"
 #include "glint/diagnose.h"
+#include "image/texture_image.h"
 #include "wasm/api.h"
 
 namespace {
@@ -52,6 +53,10 @@ Result<CauseReport> find_causes(const Image&, const Image&, const Scene*, const 
 Result<std::vector<Finding>> check(const Scene&, const CheckOptions&) { return leave_out(); }
 
 Result<Diagnosis> diagnose(const Scene&, const World&, std::string_view, const DiagnoseOptions&) {
+    return leave_out();
+}
+
+Result<TextureImage> decode_texture(std::span<const std::uint8_t>, const DecodeOptions&) {
     return leave_out();
 }
 

@@ -7,6 +7,7 @@
 #include "fuzz/fuzz_load.h"
 #include "fuzz/fuzz_picture.h"
 #include "fuzz/fuzz_scene.h"
+#include "fuzz/fuzz_texture.h"
 #include "fuzz/fuzz_trace_log.h"
 
 namespace {
@@ -36,6 +37,15 @@ TEST(PictureCorpus, EveryFileGivesAPictureOrAnError) {
                             [](const std::string& bytes, const std::string& path) {
                                 const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
                                 EXPECT_EQ(glint::test::fuzz_decode({data, bytes.size()}), "") << path;
+                            }),
+              10);
+}
+
+TEST(TextureCorpus, EveryFileGivesAPictureOrAnError) {
+    EXPECT_GE(for_each_text("texture",
+                            [](const std::string& bytes, const std::string& path) {
+                                const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
+                                EXPECT_EQ(glint::test::fuzz_texture({data, bytes.size()}), "") << path;
                             }),
               10);
 }
