@@ -30,6 +30,8 @@ class MemoryBudget {
     }
     void remove(std::uint64_t bytes) { used_ -= bytes; }
     bool has_room(std::uint64_t bytes) const { return bytes <= limit_ && used_ <= limit_ - bytes; }
+    /// The bytes that may be added, at least 1.
+    std::uint64_t room() const { return used_ < limit_ ? limit_ - used_ : 1; }
     /// True from the first time that more than the limit was held.
     bool is_exceeded() const { return is_exceeded_; }
 

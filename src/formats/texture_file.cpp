@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "formats/include.h"
+#include "image/texture_image.h"
 
 namespace glint {
 namespace {
@@ -46,9 +47,19 @@ std::shared_ptr<const TextureImage> optional_texture_image(LoadState& reading, c
     });
 }
 
-std::shared_ptr<const TextureImage> decode_texture_image(LoadState&, std::string_view, std::string& why) {
-    why = "this build reads no pictures";
-    return nullptr;
+std::shared_ptr<const TextureImage> decode_texture_image(LoadState& reading, std::string_view bytes,
+                                                         std::string& why) {
+    DecodeOptions options;
+    options.max_memory = reading.memory.room();
+    Result<TextureImage> image =
+        decode_texture({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, options);
+    if (!image) {
+        why = image.message;
+        return nullptr;
+    }
+    reading.memory.add(
+        std::visit([](const auto& words) { return words.size() * sizeof(words[0]); }, image->words));
+    return std::make_shared<const TextureImage>(std::move(*image));
 }
 
 }  // namespace glint

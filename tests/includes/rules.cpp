@@ -78,7 +78,7 @@ const std::vector<Module>& modules() {
         {"lighting", {"base", "math", "simd"}, {}},
         {"bvh", {"base", "math", "simd"}, {}},
         {"scene", {"base", "math"}, {"fmt/", "fast_float/"}},
-        {"formats", {"base", "math", "scene"}, {"fmt/", "fast_float/"}},
+        {"formats", {"base", "math", "scene", "image"}, {"fmt/", "fast_float/"}},
         {"world",
          all_but({"trace", "explain", "check", "compare", "diagnose", "grade", "image", "journal", "output",
                   "os", "cli", "mpi", "wasm"}),
