@@ -74,8 +74,8 @@ def load(
     view: View = None,
     progress: Progress = None,
 ) -> Scene:
-    """The scene of one file, or of several together: .cgfs, .json, .js, .pov, .nff, .dat, .ply, .stl, .obj
-    or .glint.
+    """The scene of one file, or of several together: .cgfs, .json, .js, .pov, .nff, .dat, .ply, .stl, .obj,
+    .gltf, .glb or .glint.
 
     The keywords are the options of the command. format: if the file's name does not tell; scene_name: of a
     file that holds several; include_path: a folder, or several, with files that the scene includes and that are
@@ -126,8 +126,8 @@ def loads(
     skip_unsupported: bool = False,
     view: View = None,
 ) -> Scene:
-    """The scene of a text: 'cgfs', 'epfl', 'csc473', 'povray', 'nff', 'tachyon', 'ply', 'stl', 'obj' or
-    'glint'.
+    """The scene of a text: 'cgfs', 'epfl', 'csc473', 'povray', 'nff', 'tachyon', 'ply', 'stl', 'obj',
+    'gltf' or 'glint'.
 
     name: for messages; a file that the text includes is looked for beside a file of this name, then in
     include_path, a folder or several, and never outside of these folders. includes: False: no file is read.

@@ -37,9 +37,9 @@ void add_view_argument(CLI::App& command, std::optional<Vec3>& view) {
     command
         .add_option_function<std::string>(
             "--view", [&view](const std::string& text) { view = parse_view(text); },
-            "Where a mesh without a camera (.ply, .stl, .obj) is seen from: from +z, from (1, 1, 1), or from "
-            "the "
-            "side that X,Y,Z points to")
+            "Where a mesh without a camera (.ply, .stl, .obj, .gltf, .glb) is seen from: from +z, from (1, "
+            "1, 1), "
+            "or from the side that X,Y,Z points to")
         ->check(CLI::Validator(
             [](const std::string& text) { return parse_view(text) ? std::string() : view_message(text); },
             ""))

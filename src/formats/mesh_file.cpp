@@ -46,10 +46,41 @@ std::string mesh_extensions() {
     return one_of(all);
 }
 
+// Beyond this, the vertices of many shapes with transforms are too many to look at each.
+constexpr std::uint64_t k_max_vertices = 1u << 24;
+
+// Visits the vertices of the meshes as shapes place them; of the last shapes of very many, the corners of
+// their boxes.
 template <class Visit> void for_each_vertex(const Scene& scene, const Visit& visit) {
-    for (const auto& mesh : scene.meshes) {
-        const auto count = static_cast<std::uint32_t>(mesh->vertex_count());
-        for (std::uint32_t v = 0; v < count; ++v) visit(mesh->position(v));
+    struct Seen {
+        bool is_whole = false;  // without a transform
+        Extent box{};
+    };
+    std::vector<Seen> meshes(scene.meshes.size());
+    std::uint64_t visited = 0;
+    for (const Shape& shape : scene.shapes) {
+        if (shape.kind != ShapeKind::mesh) continue;
+        const std::uint32_t index = scene.get<Mesh>()[shape.index].mesh;
+        const MeshData& mesh = *scene.meshes[index];
+        Seen& seen = meshes[index];
+        const bool is_whole = shape.transform == k_none;
+        if (is_whole && seen.is_whole) continue;
+        const auto place = [&](Vec3 p) {
+            visit(is_whole ? p : transform_point(scene.transforms[shape.transform], p));
+        };
+        const Vec3 lo = seen.box.lo, hi = seen.box.hi;
+        const auto count = static_cast<std::uint32_t>(mesh.vertex_count());
+        visited += count;
+        if (is_whole || visited <= k_max_vertices || !(lo.x <= hi.x)) {
+            for (std::uint32_t v = 0; v < count; ++v) {
+                seen.box.add(mesh.position(v));
+                place(mesh.position(v));
+            }
+        } else {
+            for (unsigned i = 0; i < 8; ++i)
+                place({(i & 1) != 0 ? hi.x : lo.x, (i & 2) != 0 ? hi.y : lo.y, (i & 4) != 0 ? hi.z : lo.z});
+        }
+        seen.is_whole = seen.is_whole || is_whole;
     }
 }
 

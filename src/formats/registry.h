@@ -54,6 +54,9 @@ void read_stl(LoadState& reading, const ReadText& text);
 void read_obj(LoadState& reading, const ReadText& text);
 void finish_mesh(LoadState& reading);
 
+void set_gltf_defaults(Scene& scene);
+void read_gltf(LoadState& reading, const ReadText& text);
+
 void set_glint_defaults(Scene& scene);
 void read_glint(LoadState& reading, const ReadText& text);
 void finish_glint(LoadState& reading);

@@ -30,7 +30,7 @@ export interface SceneText {
     text: string;
     /** The bytes of a file that is no text, instead of `text`. */
     base64?: string;
-    /** "cgfs", "epfl", "csc473", "povray", "nff", "tachyon", "ply", "stl", "obj" or "glint". */
+    /** "cgfs", "epfl", "csc473", "povray", "nff", "tachyon", "ply", "stl", "obj", "gltf" or "glint". */
     format?: string;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // glint-core.wasm, which the page starts with, is linked from the same objects as glint.wasm, but with these
-// functions in place of formats/povray, Tachyon's reader, compare, check, diagnose and the decoders of
-// textures: almost half of the file. They are all that others call of these, so the linker takes nothing else
-// of them. A call that needs one cannot be answered: glint_left_out() then says so, and the page repeats it
-// with glint.wasm.
+// functions in place of formats/povray, the readers of Tachyon's scenes and of glTF, compare, check, diagnose
+// and the decoders of textures: almost half of the file. They are all that others call of these, so the
+// linker takes nothing else of them. A call that needs one cannot be answered: glint_left_out() then says so,
+// and the page repeats it with glint.wasm.
 #include <cstdint>
 
 #include "formats/povray/standard_includes.h"
@@ -40,6 +40,12 @@ void read_tachyon(LoadState& reading, const ReadText& text) {
 }
 
 void finish_tachyon(LoadState&) {}
+
+void set_gltf_defaults(Scene&) {}
+
+void read_gltf(LoadState& reading, const ReadText& text) {
+    reading.diagnostics.error(text.place, 0, 0, leave_out().message);
+}
 
 povray::StandardInclude povray::standard_include(std::string_view) {
     leave_out();

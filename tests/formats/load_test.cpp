@@ -26,15 +26,14 @@ TEST(Load, UnknownFormatsAreNamed) {
         ASSERT_EQ(result.diagnostics.size(), 1u) << name;
         EXPECT_EQ(result.diagnostics[0].message,
                   "expected a name that ends in one of .cgfs, .json .js, .pov, .nff, .dat, .ply, .stl, .obj, "
-                  ".glint, or "
-                  "the name "
-                  "of a format (cgfs, epfl, csc473, povray, nff, tachyon, ply, stl, obj, glint)");
+                  ".gltf .glb, .glint, or the name "
+                  "of a format (cgfs, epfl, csc473, povray, nff, tachyon, ply, stl, obj, gltf, glint)");
         EXPECT_EQ(result.diagnostics[0].file, name);
     }
     const SceneText text[] = {{"a", k_text, "pov"}};
     EXPECT_EQ(load(text).diagnostics.at(0).message,
-              "expected one of the formats cgfs, epfl, csc473, povray, nff, tachyon, ply, stl, obj, glint, "
-              "found 'pov'");
+              "expected one of the formats cgfs, epfl, csc473, povray, nff, tachyon, ply, stl, obj, gltf, "
+              "glint, found 'pov'");
     EXPECT_TRUE(has_errors(load({}).diagnostics));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The files that the user gives: single ones, those of a folder, and those in a .zip.
-import {meshExtensions} from './mesh_file';
+import {bufferExtensions, meshExtensions} from './mesh_file';
 import {isPictureName} from './picture_file';
 import {extensions} from './text/formats';
 
@@ -12,7 +12,7 @@ export interface GivenFile {
 
 /** What is read of folders and archives: the texts of scenes, within limits. */
 const mostFiles = 2000, mostBytes = 64e6;
-const texts = new RegExp(`\\.(${[...extensions, ...meshExtensions, 'mtl', 'inc', 'log', 'jsonl'].join('|')})$`, 'i');
+const texts = new RegExp(`\\.(${[...extensions, ...meshExtensions, ...bufferExtensions, 'mtl', 'inc', 'log', 'jsonl'].join('|')})$`, 'i');
 const isWanted = (path: string) => (texts.test(path) || isPictureName(path)) && !/(^|\/)(\.|__MACOSX)/.test(path);
 
 const isArchive = ({name}: File) => /\.zip$/i.test(name);

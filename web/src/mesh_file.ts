@@ -2,8 +2,11 @@
 // Files of meshes, which a scene refers to, or which are opened as a scene of their own.
 import type {SceneText} from 'glint-wasm';
 
-export const meshExtensions = ['ply', 'stl', 'obj'];
+export const meshExtensions = ['ply', 'stl', 'obj', 'gltf', 'glb'];
+/** The buffers of .gltf. */
+export const bufferExtensions = ['bin', 'glbin', 'glbuf'];
 const meshes = new RegExp(`\\.(${meshExtensions.join('|')})$`, 'i');
+const binary = new RegExp(`\\.(${[...meshExtensions, ...bufferExtensions].join('|')})$`, 'i');
 
 export const isMeshName = (name: string) => meshes.test(name);
 
@@ -15,7 +18,7 @@ function base64(bytes: Uint8Array): string {
 
 /** The text of a file, or the bytes of one that is no text. */
 export async function readFile(name: string, file: File): Promise<SceneText> {
-    if (!isMeshName(name)) return {name, text: await file.text()};
+    if (!binary.test(name)) return {name, text: await file.text()};
     const bytes = new Uint8Array(await file.arrayBuffer());
     try {
         const text = new TextDecoder('utf-8', {fatal: true, ignoreBOM: true}).decode(bytes);

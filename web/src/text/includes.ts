@@ -31,6 +31,15 @@ export function fileFor(name: string, files: readonly SceneText[]): SceneText | 
     return undefined;
 }
 
+/** The name of a file in a URI: %20 is a blank. */
+function unescaped(uri: string): string {
+    try {
+        return decodeURIComponent(uri);
+    } catch {
+        return uri;
+    }
+}
+
 /**
  * The names that a text includes, as glint asks for them; those in comments are among them. `main`: the scene's own text, from
  * whose folder POV-Ray's includes all start.
@@ -38,6 +47,7 @@ export function fileFor(name: string, files: readonly SceneText[]): SceneText | 
 export function namesIncludedBy({name, text}: SceneText, main = name): string[] {
     const folder = folderOf(/\.(pov|inc)$/i.test(name) ? main : name);
     if (/\.obj$/i.test(name)) return [...text.matchAll(/^mtllib\s+(.+?)\s*$/gm)].map(([, said]) => folder + said!);
+    if (/\.gltf$/i.test(name)) return [...text.matchAll(/"uri"\s*:\s*"(?!data:)([^"\n]+)"/g)].map(([, said]) => folder + unescaped(said!));
     const words = /\.glint$/i.test(name) ? /(?:^|[\s{])(?:include\s+|file\s*=\s*)"([^"\n]+)"/g : /(?:^|[\s#])include\s+"([^"\n]+)"/g;
     return [...text.matchAll(words)].map(([, said]) => (said!.startsWith('/') ? said! : folder + said!));
 }

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/gltf/textures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "base/text.h"
+#include "formats/gltf/picture.h"
+#include "formats/include.h"
+#include "math/elementary.h"
+#include "scene/ranges.h"
+
+namespace glint::gltf {
+namespace {
+
+constexpr std::string_view k_picture_extensions[] = {".png", ".jpg", ".jpeg"};
+constexpr std::string_view k_without = "its surfaces have no texture";
+
+bool is_picture_name(std::string_view name) {
+    return std::any_of(std::begin(k_picture_extensions), std::end(k_picture_extensions),
+                       [&](std::string_view extension) { return name.ends_with(extension); });
+}
+
+// The numbers of OpenGL that samplers have.
+constexpr std::uint64_t k_nearest = 9728, k_repeat = 10497, k_clamp = 33071, k_mirror = 33648;
+
+}  // namespace
+
+bool Textures::read_wrap(JsonValue sampler, std::string_view key, TextureWrap& wrap) {
+    std::uint64_t mode = k_repeat;
+    if (!file_.whole(sampler, key, mode)) return false;
+    if (mode != k_repeat && mode != k_clamp && mode != k_mirror)
+        return file_.expected(sampler.find(key), "10497, 33071 or 33648", key);
+    wrap = mode == k_repeat  ? TextureWrap::repeat
+           : mode == k_clamp ? TextureWrap::clamp
+                             : TextureWrap::mirror;
+    return true;
+}
+
+bool Textures::read_sampler(JsonValue texture, Texture& to) {
+    const JsonValue value = texture.find("sampler");
+    if (!value.exists()) return true;
+    const std::optional<std::uint32_t> index = file_.index(value, List::samplers);
+    if (!index) return false;
+    const JsonValue sampler = file_.item(List::samplers, *index);
+    std::uint64_t filter = 0;
+    if (!file_.whole(sampler, "magFilter", filter)) return false;
+    to.filter = filter == k_nearest ? TextureFilter::nearest : TextureFilter::bilinear;
+    return read_wrap(sampler, "wrapS", to.wrap_u) && read_wrap(sampler, "wrapT", to.wrap_v);
+}
+
+// KHR_texture_transform: (u, v) is scaled, then rotated counter-clockwise as seen in the picture, then moved.
+// v goes down in glTF, and up in glint.
+bool Textures::read_place(JsonValue info, Texture& to, TextureUse& use) {
+    const JsonValue transform = File::extension(info, "KHR_texture_transform");
+    double offset[2] = {0, 0}, scale[2] = {1, 1}, rotation = 0;
+    constexpr Range angle{-1e5, 1e5, false, false, "a number from -1e5 to 1e5"};
+    std::uint64_t set = 0;
+    if (!file_.numbers(transform, "offset", offset, k_channel) ||
+        !file_.numbers(transform, "scale", scale, k_channel) ||
+        !file_.number(transform, "rotation", rotation, angle) || !file_.whole(info, "texCoord", set) ||
+        !file_.whole(transform, "texCoord", set))
+        return false;
+    if (set > 255) return file_.error(info, "expected a `texCoord` from 0 to 255");
+    use.set = static_cast<std::uint32_t>(set);
+    const double c = cos(rotation), s = sin(rotation);
+    const double map[2][3] = {{c * scale[0], s * scale[1], offset[0]},
+                              {s * scale[0], -(c * scale[1]), 1 - offset[1]}};
+    for (std::size_t row = 0; row < 2; ++row) {
+        for (std::size_t i = 0; i < 3; ++i) to.uv_map[row][i] = map[row][i];
+    }
+    return true;
+}
+
+std::optional<std::string_view> Textures::bytes_of(JsonValue image, std::string& name) {
+    if (const JsonValue view = image.find("bufferView"); view.exists()) {
+        const std::optional<BufferView> found = buffers_.view(view);
+        return found ? std::optional(found->bytes) : std::nullopt;
+    }
+    const JsonValue uri = image.find("uri");
+    if (!uri.is(JsonKind::string)) {
+        file_.expected(uri.exists() ? uri : image, "a `uri` or a `bufferView` of the image");
+        return std::nullopt;
+    }
+    if (is_data_uri(uri.text().substr(1))) return buffers_.decode(uri);
+    std::string why;
+    const std::optional<std::string> file = file_of_uri(uri.string(), why);
+    if (!file || !is_picture_name(*file)) {
+        if (file) why = "expected the name of a file that ends in .png, .jpg or .jpeg";
+        file_.warn(uri, fmt::format("{}: {}; {}", quoted(uri.string()), why, k_without));
+        return std::nullopt;
+    }
+    const std::optional<ReadText> text =
+        open_optional_text(file_.reading, file_.text, file_.token(uri), *file, k_without);
+    if (!text) return std::nullopt;
+    name = *file;
+    return text->place.text;
+}
+
+const Textures::Picture* Textures::picture(JsonValue source, const TextureAlpha& alpha) {
+    const std::optional<std::uint32_t> index = file_.index(source, List::images);
+    if (!index) return nullptr;
+    const PictureKey key{*index, alpha.is_kept, alpha.cutoff.value_or(-1)};
+    const auto [found, is_new] = pictures_.try_emplace(key);
+    if (!is_new) return &found->second;
+    const JsonValue image = file_.item(List::images, *index);
+    Picture& picture = found->second;
+    const std::uint32_t errors = file_.reading.diagnostics.error_count();
+    if (const std::optional<std::string_view> bytes = bytes_of(image, picture.file))
+        picture.texels = read_texture_image(file_, image, *bytes, alpha);
+    return file_.reading.diagnostics.error_count() == errors ? &picture : nullptr;
+}
+
+std::optional<TextureUse> Textures::use(JsonValue info, const TextureAlpha& alpha) {
+    const std::optional<std::uint32_t> index = file_.index(info.find("index"), List::textures);
+    if (!index) return std::nullopt;
+    const JsonValue at = file_.item(List::textures, *index);
+    Texture texture;
+    TextureUse use;
+    if (!read_place(info, texture, use) || !read_sampler(at, texture)) return std::nullopt;
+    const JsonValue source = at.find("source");
+    if (!source.exists()) {
+        file_.warn_once("gltf source", at,
+                        fmt::format("{} has no `source`, a picture that glint reads: {}",
+                                    File::name(List::textures, *index), k_without));
+        return use;
+    }
+    const Picture* const found = picture(source, alpha);
+    if (found == nullptr) return std::nullopt;
+    if (!found->texels) return use;
+    texture.image = found->texels;
+    texture.file = found->file;
+    std::array<double, 6> map{};
+    for (std::size_t i = 0; i < 6; ++i) map[i] = texture.uv_map[i / 3][i % 3];
+    std::vector<Texture>& all = file_.reading.scene.textures;
+    const TextureKey key{*index, alpha.is_kept, alpha.cutoff.value_or(-1), map};
+    const auto [known, is_new] = textures_.try_emplace(key, static_cast<std::uint32_t>(all.size()));
+    if (is_new) all.push_back(std::move(texture));
+    use.texture = known->second;
+    return use;
+}
+
+}  // namespace glint::gltf
