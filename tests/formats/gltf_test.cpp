@@ -10,19 +10,19 @@
 namespace glint::test {
 namespace {
 
-const MeshData& only_mesh(const Scene& scene) {
+const MeshData& gltf_mesh(const Scene& scene) {
     EXPECT_EQ(scene.meshes.size(), 1u);
     return *scene.meshes.at(0);
 }
 
-void expect_square(const MeshData& mesh) {
+void expect_gltf_square(const MeshData& mesh) {
     EXPECT_EQ(mesh.single_positions, (std::vector<Float3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
     EXPECT_EQ(mesh.triangles, (std::vector<TriangleCorners>{{0, 1, 2}, {0, 2, 3}}));
     EXPECT_EQ(mesh.normals.values, (std::vector<Float3>(4, Float3{0, 0, 1})));
 }
 
-/// Files by their names.
-struct Files : Sources {
+/// GltfFiles by their names.
+struct GltfFiles : Sources {
     std::map<std::string, std::string, std::less<>> texts;
     std::string opened;
     Result<std::string> read(std::string_view name, std::string_view) override {
@@ -33,14 +33,14 @@ struct Files : Sources {
     }
 };
 
-void expect_error(const std::string& text, const std::string& message, const char* name = "a.gltf") {
+void expect_gltf_error(const std::string& text, const std::string& message, const char* name = "a.gltf") {
     const Result<Scene> result = load_text(text, name);
     EXPECT_FALSE(result);
     EXPECT_EQ(what_is_wrong(result, text), "");
     EXPECT_NE(messages(result).find(message), std::string::npos) << messages(result) << "\nnot " << message;
 }
 
-std::string changed(std::string text, const std::string& from, const std::string& to) {
+std::string with_change(std::string text, const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;
     return at == std::string::npos ? text : text.replace(at, from.size(), to);
@@ -49,24 +49,24 @@ std::string changed(std::string text, const std::string& from, const std::string
 TEST(Gltf, TextsFilesAndBinaryFilesAreTheSame) {
     const GltfText file = gltf_square();
     const Scene text = quiet_scene(file.text(), "a.gltf");
-    expect_square(only_mesh(text));
+    expect_gltf_square(gltf_mesh(text));
     EXPECT_EQ(text.lights.size(), 3u);
     EXPECT_EQ(text.camera.look_at, (Vec3{0.5, 0.5, 0}));
     EXPECT_EQ(text.conventions.transfer, Transfer::srgb);
-    expect_square(only_mesh(quiet_scene(file.binary(), "A.GLB")));
-    expect_square(only_mesh(quiet_scene(file.binary(), "named_otherwise.gltf")));
-    expect_square(only_mesh(quiet_scene(file.text(), "text.glb")));
+    expect_gltf_square(gltf_mesh(quiet_scene(file.binary(), "A.GLB")));
+    expect_gltf_square(gltf_mesh(quiet_scene(file.binary(), "named_otherwise.gltf")));
+    expect_gltf_square(gltf_mesh(quiet_scene(file.text(), "text.glb")));
 
-    Files files;
+    GltfFiles files;
     files.texts["a b.bin"] = file.bytes + "more";
     const Result<Scene> beside = load_text(file.json(R"(, "uri": "a%20b.bin")"), "a.gltf", {}, &files);
     ASSERT_TRUE(beside) << messages(beside);
-    expect_square(only_mesh(*beside));
+    expect_gltf_square(gltf_mesh(*beside));
     EXPECT_EQ(files.opened, "a b.bin;");
 }
 
 TEST(Gltf, OnlyFilesOfBuffersAreOpened) {
-    Files files;
+    GltfFiles files;
     const auto said = [&](const std::string& uri) {
         const Result<Scene> result =
             load_text(gltf_square().json(R"(, "uri": ")" + uri + '"'), "a.gltf", {}, &files);
@@ -78,7 +78,7 @@ TEST(Gltf, OnlyFilesOfBuffersAreOpened) {
     EXPECT_NE(said("//a.b/c.bin").find("relative to this one"), std::string::npos);
     EXPECT_NE(said("").find("expected the name of a file"), std::string::npos);
     EXPECT_EQ(files.opened, "");
-    EXPECT_NE(said("no.bin").find("a.gltf:10:34: error: 'no.bin': no such file"), std::string::npos)
+    EXPECT_NE(said("no.bin").find("a.gltf:12:40: error: 'no.bin': no such file"), std::string::npos)
         << said("no.bin");
     files.texts["short.bin"] = "123";
     EXPECT_NE(said("short.bin").find("expected 108 bytes in buffers[0], found 3"), std::string::npos);
@@ -90,14 +90,14 @@ TEST(Gltf, ModesOfPrimitives) {
     const auto triangles = [](const std::string& mode) {
         GltfText file = gltf_square();
         std::string& mesh = file.members["meshes"];
-        mesh = changed(mesh, "\"indices\": 2", "\"mode\": " + mode);
+        mesh = with_change(mesh, "\"indices\": 2", "\"mode\": " + mode);
         return load_text(file.text(), "a.gltf");
     };
     using Triangles = std::vector<TriangleCorners>;
-    EXPECT_EQ(only_mesh(*triangles("5")).triangles, (Triangles{{0, 1, 2}, {1, 3, 2}}));
-    EXPECT_EQ(only_mesh(*triangles("6")).triangles, (Triangles{{1, 2, 0}, {2, 3, 0}}));
+    EXPECT_EQ(gltf_mesh(*triangles("5")).triangles, (Triangles{{0, 1, 2}, {1, 3, 2}}));
+    EXPECT_EQ(gltf_mesh(*triangles("6")).triangles, (Triangles{{1, 2, 0}, {2, 3, 0}}));
     const Result<Scene> rest = triangles("4");
-    EXPECT_EQ(only_mesh(*rest).triangles, (Triangles{{0, 1, 2}}));
+    EXPECT_EQ(gltf_mesh(*rest).triangles, (Triangles{{0, 1, 2}}));
     EXPECT_NE(messages(rest).find("no multiple of three"), std::string::npos);
     EXPECT_NE(messages(triangles("1")).find("glint draws no points and lines"), std::string::npos);
     EXPECT_NE(messages(triangles("7")).find("expected a number from 0 to 6 as `mode`, found '7'"),
@@ -118,9 +118,9 @@ TEST(Gltf, InterleavedSparseAndNormalisedAccessors) {
             R"(, "normalized": true, "sparse": {{"count": 2, "indices": {{"bufferView": {}, "componentType": 5121}}, "values": {{"bufferView": {}}}}})",
             indices, values));
     std::string& mesh = file.members["meshes"];
-    mesh = changed(mesh, "\"POSITION\": 0", fmt::format("\"POSITION\": {}", positions));
+    mesh = with_change(mesh, "\"POSITION\": 0", fmt::format("\"POSITION\": {}", positions));
     const Scene scene = quiet_scene(file.text(), "a.gltf");
-    EXPECT_EQ(only_mesh(scene).single_positions,
+    EXPECT_EQ(gltf_mesh(scene).single_positions,
               (std::vector<Float3>{{0, 0, 0}, {0.2F, 0, 0}, {1, 1, 0}, {0, 0.2F, 0}}));
 
     // Zeros, of which sparse values replace some.
@@ -130,10 +130,10 @@ TEST(Gltf, InterleavedSparseAndNormalisedAccessors) {
     zeros.accessors[0] = fmt::format(
         R"({{"componentType": 5126, "count": 4, "type": "VEC3", "sparse": {{"count": 2, "indices": {{"bufferView": {}, "componentType": 5123}}, "values": {{"bufferView": {}}}}}}})",
         where, what);
-    EXPECT_EQ(only_mesh(quiet_scene(zeros.text(), "a.gltf")).single_positions,
+    EXPECT_EQ(gltf_mesh(quiet_scene(zeros.text(), "a.gltf")).single_positions,
               (std::vector<Float3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}}));
-    expect_error(changed(zeros.text(), "\"count\": 4", "\"count\": 4000000000"),
-                 "accessors[0]: expected at most 16777216 zeros");
+    expect_gltf_error(with_change(zeros.text(), "\"count\": 4", "\"count\": 4000000000"),
+                      "accessors[0]: expected at most 16777216 zeros");
 }
 
 TEST(Gltf, PrimitivesThatShareVerticesHaveTheirOwn) {
@@ -146,14 +146,14 @@ TEST(Gltf, PrimitivesThatShareVerticesHaveTheirOwn) {
     file.members["meshes"] = R"([{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}])";
     file.members["nodes"] = R"([{"mesh": 0, "name": "far"}])";
     const Scene scene = quiet_scene(file.binary(), "a.glb");
-    EXPECT_EQ(only_mesh(scene).single_positions,
+    EXPECT_EQ(gltf_mesh(scene).single_positions,
               (std::vector<Float3>{{30, 0, 0}, {31, 1, 0}, {32, 0, 0}, {33, 1, 0}}));
-    EXPECT_EQ(only_mesh(scene).triangles, (std::vector<TriangleCorners>{{0, 1, 2}, {2, 1, 3}}));
-    EXPECT_TRUE(only_mesh(scene).normals.empty());
+    EXPECT_EQ(gltf_mesh(scene).triangles, (std::vector<TriangleCorners>{{0, 1, 2}, {2, 1, 3}}));
+    EXPECT_TRUE(gltf_mesh(scene).normals.empty());
     EXPECT_EQ(scene.shape_texts.name(0), "far");
 }
 
-Vec3 place(const Scene& scene, std::size_t shape, Vec3 p) {
+Vec3 place_of(const Scene& scene, std::size_t shape, Vec3 p) {
     const std::uint32_t transform = scene.shapes.at(shape).transform;
     return transform == k_none ? p : transform_point(scene.transforms.at(transform), p);
 }
@@ -170,14 +170,15 @@ TEST(Gltf, NodesPlaceAMeshThatTheyShare) {
     ASSERT_EQ(scene.shapes.size(), 3u);
     EXPECT_EQ(scene.meshes.size(), 1u);
     EXPECT_EQ(scene.shapes[0].transform, k_none);
-    EXPECT_EQ(place(scene, 1, {1, 2, 3}), (Vec3{10 - 4, 2, 9}));
-    EXPECT_EQ(place(scene, 2, {1, 2, 3}), (Vec3{10 - 16, 6, 12}));
-    EXPECT_EQ(scene.camera.look_at, (Vec3{(1 + 10 - 14) / 2.0, 3, 21 / 2.0})) << "of all shapes";
+    EXPECT_EQ(place_of(scene, 1, {1, 2, 3}), (Vec3{10 - 4, 2, 9}));
+    EXPECT_EQ(place_of(scene, 2, {1, 2, 3}), (Vec3{10 - 16, 6, 12}));
+    EXPECT_EQ(scene.camera.look_at, (Vec3{(10 - 4) / 2.0, 3, 21 / 2.0})) << "of all shapes";
 
     file.members["scenes"] = R"([{"nodes": [0, 1, 2]}])";
-    expect_error(file.text(), "nodes[2] has two parents, or is in itself");
+    expect_gltf_error(file.text(), "nodes[2] has two parents, or is in itself");
     file.members["nodes"] = R"([{"children": [1]}, {"mesh": 0, "children": [0]}])";
-    expect_error(file.text(), "nodes[0] has two parents, or is in itself");
+    file.members["scenes"] = R"([{"nodes": [0]}])";
+    expect_gltf_error(file.text(), "nodes[0] has two parents, or is in itself");
     file.members["nodes"] = R"([{"mesh": 0}, {"mesh": 0, "scale": [0, 0, 0]}, {"mesh": 1}])";
     file.members["scenes"] = R"([{"nodes": [0, 1]}])";
     const Result<Scene> flat = load_text(file.text(), "a.gltf");
@@ -185,7 +186,7 @@ TEST(Gltf, NodesPlaceAMeshThatTheyShare) {
     EXPECT_EQ(flat->shapes.size(), 1u);
     EXPECT_NE(messages(flat).find("a mesh with a scale of 0 is left out"), std::string::npos);
     file.members["scenes"] = R"([{"nodes": [2]}])";
-    expect_error(file.text(), "expected a number of `meshes` from 0 to 0, found '1'");
+    expect_gltf_error(file.text(), "expected a number of `meshes` from 0 to 0, found '1'");
 }
 
 TEST(Gltf, InstancesHaveTheirTransforms) {
@@ -200,8 +201,8 @@ TEST(Gltf, InstancesHaveTheirTransforms) {
     const Scene scene = quiet_scene(file.text(), "a.gltf");
     ASSERT_EQ(scene.shapes.size(), 2u);
     EXPECT_EQ(scene.meshes.size(), 1u);
-    EXPECT_EQ(place(scene, 0, {1, 1, 0}), (Vec3{2, 6, 0}));
-    EXPECT_EQ(place(scene, 1, {1, 1, 0}), (Vec3{0, 3, 0}));
+    EXPECT_EQ(place_of(scene, 0, {1, 1, 0}), (Vec3{2, 6, 0}));
+    EXPECT_EQ(place_of(scene, 1, {1, 1, 0}), (Vec3{0, 3, 0}));
 }
 
 TEST(Gltf, ScenesAreChosenByName) {
@@ -212,7 +213,7 @@ TEST(Gltf, ScenesAreChosenByName) {
         LoadOptions options;
         options.scene_name = name;
         const Result<Scene> result = load_text(file.text(), "a.gltf", options);
-        return result ? place(*result, 0, {}).x : -1;
+        return result ? place_of(*result, 0, {}).x : -1;
     };
     EXPECT_EQ(x(""), 0);
     EXPECT_EQ(x("there"), 7);
@@ -236,14 +237,15 @@ TEST(Gltf, ExtensionsThatAreNotReadAreNamed) {
     ASSERT_EQ(used.diagnostics.size(), 1u);
     EXPECT_EQ(used.diagnostics[0].message, "glint ignores the extension 'KHR_materials_clearcoat'");
     file.members["extensionsRequired"] = R"(["KHR_draco_mesh_compression"])";
-    expect_error(file.text(),
-                 "the file requires the extension 'KHR_draco_mesh_compression', which glint does not read");
+    expect_gltf_error(
+        file.text(),
+        "the file requires the extension 'KHR_draco_mesh_compression', which glint does not read");
 }
 
 TEST(Gltf, WhatMovesIsDrawnAtRest) {
     GltfText file = gltf_square();
     std::string& mesh = file.members["meshes"];
-    mesh = changed(mesh, "\"indices\": 2", R"("indices": 2, "targets": [{"POSITION": 0}])");
+    mesh = with_change(mesh, "\"indices\": 2", R"("indices": 2, "targets": [{"POSITION": 0}])");
     const int matrices = file.floats("MAT4", 1, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -3, 0, 0, 1});
     file.members["skins"] = fmt::format(R"([{{"joints": [1], "inverseBindMatrices": {}}}])", matrices);
     file.members["nodes"] =
@@ -253,23 +255,23 @@ TEST(Gltf, WhatMovesIsDrawnAtRest) {
     const Result<Scene> result = load_text(file.text(), "a.gltf");
     ASSERT_TRUE(result) << messages(result);
     EXPECT_EQ(result.diagnostics.size(), 3u) << messages(result);
-    EXPECT_EQ(place(*result, 0, {}), (Vec3{2, 0, 0})) << "as its joint is";
+    EXPECT_EQ(place_of(*result, 0, {}), (Vec3{2, 0, 0})) << "as its joint is";
 }
 
 TEST(Gltf, MistakesAreReportedAtTheirPlace) {
     const std::string text = gltf_square().text();
     const auto expect = [&](const std::string& from, const std::string& to, const std::string& message) {
-        expect_error(changed(text, from, to), message);
+        expect_gltf_error(with_change(text, from, to), message);
     };
-    expect_error("", "a.gltf:1:1: error: expected `{`, found the end of the text");
-    expect_error("[]", "a.gltf:1:1: error: expected an object `{ ... }`, found a list");
-    expect_error("{}", "expected the version of glTF as `asset.version`");
-    expect_error("{\"a\": 1\n \"b\": 2}", "a.gltf:2:2: error: expected `,` or `}`, found '\"b\"'");
-    expect_error("{\"a\": [1, }", "a.gltf:1:11: error: expected a value, found '}'");
-    expect_error("{\"a\": {", "the object that begins in line 1 has no end");
-    expect_error("{a: 1}", "a.gltf:1:2: error: expected a key in quotes or `}`, found 'a'");
-    expect_error("{\"a\": yes}", "a.gltf:1:7: error: expected a value, found 'yes'");
-    expect_error(std::string(1000000, '['), "brackets are nested more than 256 deep");
+    expect_gltf_error("", "a.gltf:1:1: error: expected `{`, found the end of the text");
+    expect_gltf_error("[]", "a.gltf:1:1: error: expected an object `{ ... }`, found a list");
+    expect_gltf_error("{}", "expected the version of glTF as `asset.version`");
+    expect_gltf_error("{\"a\": 1\n \"b\": 2}", "a.gltf:2:2: error: expected `,` or `}`, found '\"b\"'");
+    expect_gltf_error("{\"a\": [1, }", "a.gltf:1:11: error: expected a value, found '}'");
+    expect_gltf_error("{\"a\": {", "the object that begins in line 1 has no end");
+    expect_gltf_error("{a: 1}", "a.gltf:1:2: error: expected a key in quotes or `}`, found 'a'");
+    expect_gltf_error("{\"a\": yes}", "a.gltf:1:7: error: expected a value, found 'yes'");
+    expect_gltf_error(std::string(1000000, '['), "brackets are nested more than 256 deep");
     expect("\"2.0\"", "\"1.0\"", "expected glTF 2.0, found version '1.0'");
     expect("\"count\": 4,", "\"count\": 5,",
            "accessors[0]: expected 5 elements of 12 bytes from byte 0 on, found a buffer view of 48 bytes");
@@ -279,7 +281,7 @@ TEST(Gltf, MistakesAreReportedAtTheirPlace) {
            "accessors[0]: expected elements of 3 numbers, found 2");
     expect("5126", "5124", "expected 5120, 5121, 5122, 5123, 5125 or 5126 as `componentType`");
     expect("\"POSITION\": 0", "\"POSITION\": 9",
-           "a.gltf:3:51: error: expected a number of `accessors` from 0 to 2, found '9'");
+           "a.gltf:3:56: error: expected a number of `accessors` from 0 to 2, found '9'");
     expect("\"byteLength\": 48", "\"byteLength\": 4800",
            "expected bytes 0 to 4800 of buffers[0], which has 108");
     expect("\"mesh\": 0", "\"mesh\": \"a\"", "a.gltf:4:20: error: expected a number of `meshes`");
@@ -287,11 +289,12 @@ TEST(Gltf, MistakesAreReportedAtTheirPlace) {
 
     GltfText file = gltf_square();
     file.bytes[96] = 9;
-    expect_error(file.text(),
-                 "accessors[2]: expected the number of a vertex from 0 to 3, found 9 as number 0");
+    expect_gltf_error(file.text(),
+                      "accessors[2]: expected the number of a vertex from 0 to 3, found 9 as number 0");
     file = gltf_square();
     file.bytes.replace(4, 4, "\xff\xff\xff\x7f");
-    expect_error(file.text(), "accessors[0], element 0: expected a number from -1e12 to 1e12, found nan");
+    expect_gltf_error(file.text(),
+                      "accessors[0], element 0: expected a number from -1e12 to 1e12, found nan");
 }
 
 TEST(Gltf, EveryShortenedFileIsAnError) {

@@ -29,9 +29,11 @@ void set_reflection(Material& material, const Reflection& r) {
     const double alpha = r.roughness * r.roughness;
     const double exponent = 2 / number::max(alpha * alpha, 1e-9) - 2;
     material.shininess = number::max(0.0, number::min(exponent, k_max_shininess));
-    // The widest highlights have no direction: that part of a metal's light is drawn as diffuse.
+    // There are no surroundings that a metal shows, and its widest highlights have no direction: this part of
+    // its light is drawn as diffuse.
+    const double share = (1 + alpha) / 2;
     material.color = material.ambient = limited(r.diffuse + r.metal);
-    material.diffuse = limited(r.diffuse + r.metal * alpha);
+    material.diffuse = limited(r.diffuse + r.metal * share);
     const Color highlight = r.f0 * ((1 - alpha) * (material.shininess + 2) / 8);
     const double brightest = greatest(highlight);
     material.specular = brightest > 1 ? highlight * (1 / brightest) : highlight;
