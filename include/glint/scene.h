@@ -419,6 +419,7 @@ GLINT_API std::string_view to_string(TextureWrap wrap);
 GLINT_API std::string_view to_string(TextureFilter filter);
 GLINT_API std::string_view to_string(TextureMix mix);
 GLINT_API std::string_view to_string(TextureEncoding encoding);
+GLINT_API std::string_view to_string(TextureAlpha alpha);
 GLINT_API std::string_view to_string(TextureMapping mapping);
 
 /// Checks every number and index of the scene; prepare() needs a scene without errors. Warnings report

@@ -44,6 +44,11 @@ enum class TextureMix : std::uint8_t { multiply, replace };
 /// linear: word / 255, or word / 65535. Alpha is always linear.
 enum class TextureEncoding : std::uint8_t { srgb, linear };
 
+/// What the texels' alpha A does. blend: the surface is transparent where A is below 1: of its opacity, the
+/// part A is left. mask: A counts as 1 from Texture::alpha_cutoff on, and below it there is no surface.
+/// ignore: nothing.
+enum class TextureAlpha : std::uint8_t { blend, mask, ignore };
+
 /// Where u and v come from. uv: the numbers at a mesh's vertices (MeshData::texture_coordinates); shapes
 /// without them have no texture. The others depend on the point p in the texture's coordinates
 /// (Texture::world_from_texture). planar: u = p.x, v = p.y. spherical: u goes around the y axis, v from the
@@ -66,10 +71,21 @@ struct Texture {
     TextureFilter filter = TextureFilter::bilinear;
     TextureMix mix = TextureMix::multiply;
     TextureEncoding encoding = TextureEncoding::srgb;
+    TextureAlpha alpha = TextureAlpha::blend;
+    double alpha_cutoff = 0.5;  ///< 0 to 1
     /// u and v in the picture from those of the surface: (a u + b v + c, d u + e v + f).
     UvMap uv_map{};
     Affine world_from_texture{};  ///< for mappings other than uv; invertible
     std::string file{};           ///< the name of the picture's file; empty: none
+
+    /// Whether surfaces may be transparent where it is.
+    bool has_alpha() const { return alpha != TextureAlpha::ignore && image && image->has_alpha; }
+    /// The part of a surface's opacity that is left where the texels have this alpha.
+    double opacity(double texel_alpha) const {
+        if (!has_alpha()) return 1;
+        if (alpha == TextureAlpha::mask) return texel_alpha >= alpha_cutoff ? 1 : 0;
+        return texel_alpha;
+    }
 
     friend bool operator==(const Texture&, const Texture&) = default;
 };

@@ -71,11 +71,18 @@ Material with_color(const Material& material, Color color) {
     return changed;
 }
 
-Material with_texture(const Material& material, TextureMix mix, Color color) {
-    if (mix == TextureMix::replace) return with_color(material, color);
+Material with_texture(const Material& material, const Texture& texture, Color color, double alpha) {
     Material changed = material;
-    for (Color Material::*const member : {&Material::color, &Material::ambient, &Material::diffuse})
-        changed.*member = material.*member * color;
+    if (texture.mix == TextureMix::replace) {
+        changed = with_color(material, color);
+    } else {
+        for (Color Material::*const member : {&Material::color, &Material::ambient, &Material::diffuse})
+            changed.*member = material.*member * color;
+    }
+    const double opacity = texture.opacity(alpha);
+    if (opacity == 1) return changed;
+    changed.filter = opacity * material.filter;
+    changed.transmit = faded_transmit(material.transmit, opacity);
     return changed;
 }
 

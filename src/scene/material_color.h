@@ -22,7 +22,11 @@ std::optional<double> find_coefficient(Color color, Color k);
 std::array<double, k_color_factors> find_color_factors(
     Color color, const std::array<Color, k_color_factors>& coefficients);
 
-/// The material where a texture has this color.
-Material with_texture(const Material& material, TextureMix mix, Color color);
+/// The material where the texels of a texture have this color and alpha.
+Material with_texture(const Material& material, const Texture& texture, Color color, double alpha);
+
+/// Material::transmit where the part `opacity` of the surface's opacity is left; `filter` is multiplied by
+/// it.
+constexpr double faded_transmit(double transmit, double opacity) { return 1 - opacity * (1 - transmit); }
 
 }  // namespace glint

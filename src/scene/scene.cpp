@@ -81,6 +81,7 @@ std::string_view to_string(TextureWrap wrap) { return word_of(wrap, k_wrap_words
 std::string_view to_string(TextureFilter filter) { return word_of(filter, k_filter_words); }
 std::string_view to_string(TextureMix mix) { return word_of(mix, k_mix_words); }
 std::string_view to_string(TextureEncoding encoding) { return word_of(encoding, k_encoding_words); }
+std::string_view to_string(TextureAlpha alpha) { return word_of(alpha, k_alpha_words); }
 std::string_view to_string(TextureMapping mapping) { return word_of(mapping, k_mapping_words); }
 
 std::string_view to_string(GradientKind kind) {

@@ -10,13 +10,15 @@ inline constexpr std::string_view k_wrap_words[] = {"repeat", "mirror", "clamp",
 inline constexpr std::string_view k_filter_words[] = {"nearest", "bilinear"};
 inline constexpr std::string_view k_mix_words[] = {"multiply", "replace"};
 inline constexpr std::string_view k_encoding_words[] = {"srgb", "linear"};
+inline constexpr std::string_view k_alpha_words[] = {"blend", "mask", "ignore"};
 inline constexpr std::string_view k_mapping_words[] = {"uv", "planar", "spherical", "cylindrical"};
 
 template <> struct FieldMembers<Texture> {
     template <class Choice> using Chosen = FieldMember<Texture, Choice, ChoiceType>;
     using Any =
         std::variant<Chosen<TextureMapping>, Chosen<TextureWrap>, Chosen<TextureFilter>, Chosen<TextureMix>,
-                     Chosen<TextureEncoding>, FieldMember<Texture, UvMap, UvMapType>>;
+                     Chosen<TextureEncoding>, Chosen<TextureAlpha>, FieldMember<Texture, double, NumberType>,
+                     FieldMember<Texture, UvMap, UvMapType>>;
 };
 
 /// .glint also has `file` or `texels`, and the keys of transforms.
@@ -34,6 +36,10 @@ inline constexpr ItemField<Texture> k_texture_fields[] = {
      "replaced"},
     {"encoding", "encoding", "encoding", choice_field(&Texture::encoding, k_encoding_words),
      "whether the texels are decoded by the sRGB curve"},
+    {"alpha", "alpha", "alpha", choice_field(&Texture::alpha, k_alpha_words),
+     "whether the surface is transparent where texels are, or has holes there, or neither"},
+    {"alpha_cutoff", "alpha_cutoff", "cutoff of alpha", number_field(&Texture::alpha_cutoff, k_fraction),
+     "with mask: texels of less alpha are holes"},
     {"uv_map", "uv_map", "map of u and v", uv_map_field(&Texture::uv_map),
      "two rows of three numbers: a u + b v + c and d u + e v + f are used instead of u and v"},
 };

@@ -45,8 +45,10 @@ template <class Visit> inline void for_each_hit(const SurfaceBatch& surfaces, co
 
 inline std::optional<ExplainedTexture> recorded_texture(const WorldParts& world, SurfaceId id, Vec3 point) {
     ExplainedTexture explained;
-    const std::optional<TextureSample> sample = surface_texture(world, id, point, &explained.texture);
+    const std::optional<TextureSample> sample = surface_texture(world, id, point);
     if (!sample) return std::nullopt;
+    explained.texture =
+        static_cast<std::uint32_t>(world.texture_of(material_row(world, id)) - world.textures->data());
     explained.u = sample->place.u, explained.v = sample->place.v;
     explained.column = sample->columns[0], explained.next_column = sample->columns[1];
     explained.row = sample->rows[0], explained.next_row = sample->rows[1];
@@ -231,14 +233,13 @@ inline void record_light(const WorldParts& world, const PreparedLight& light, co
             rules.samples_shadow && any(at.lit) ? load(samples.strength.data() + h) : at.strength();
         const Cosines<Doubles> phong{at.cosines.n_l, at.phong_s};
         const Vector3Elements to_light(at.to_light),
-            diffuse(diffuse_of(world, material, rules, at.cosines.n_l, strength)),
+            diffuse(diffuse_of(material, rules, at.cosines.n_l, strength)),
             specular(specular_of(world, material, light, rules, power, phong, strength)),
-            tint(highlight_tint(world, material, rules.finish, at.cosines.n_l));
+            tint(highlight_tint(material, rules.finish, at.cosines.n_l));
         const LaneElements distance(at.distance), f_att(at.attenuation), spot(at.spot), n_l(at.cosines.n_l),
             cosine(at.cosines.s), powers(power), phong_s(at.phong_s),
-            phong_power(phong_power_of(world, material, rules.finish, phong, rules)),
-            factor(diffuse_factor(world, material, rules.finish, at.cosines.n_l, rules)),
-            unshadowed(at.strength());
+            phong_power(phong_power_of(material, rules.finish, phong, rules)),
+            factor(diffuse_factor(material, rules.finish, at.cosines.n_l, rules)), unshadowed(at.strength());
         const std::uint32_t may_add = to_bits(at.lit), lit = lit_bits(samples, h);
         for (int k = 0; k < lanes; ++k) {
             LightTerms r;

@@ -80,6 +80,7 @@ struct WorldParts {
     // By row of `materials`: the factors of find_color_factors(); empty if has_surface_colors() is false.
     CopyOnWrite<std::vector<double>> color_factors;
     CopyOnWrite<std::vector<PreparedTexture>> textures;  // of Scene::textures
+    bool has_alpha_textures = false;                     // a material has one: set_alpha_uses()
     CopyOnWrite<std::vector<std::uint8_t>> no_shadow;    // by row of `materials`; empty: all cast shadows
     CopyOnWrite<std::vector<double>>
         extended;                      // k_extended_values each, by row of `materials`; empty: no uses
@@ -135,11 +136,24 @@ struct WorldParts {
         return (extended_uses &
                 (k_extended_field<&Material::filter> | k_extended_field<&Material::transmit>)) != 0;
     }
+    /// Whether surfaces of a row's material may be transparent.
     bool is_transparent(std::uint32_t row) const {
         if (!has_transparency()) return false;
         const double* const values = extended_row(row);
         return values[k_extended_value<&Material::filter>] > 0 ||
-               values[k_extended_value<&Material::transmit>] > 0;
+               values[k_extended_value<&Material::transmit>] > 0 ||
+               (has_alpha_textures && has_alpha_texture(row));
+    }
+    /// The texture of a row's material, or null.
+    const PreparedTexture* texture_of(std::uint32_t row) const {
+        if (!uses<&Material::texture>()) return nullptr;
+        const double index = extended_row(row)[k_extended_value<&Material::texture>];
+        return index < static_cast<double>(textures->size()) ? &(*textures)[static_cast<std::size_t>(index)]
+                                                             : nullptr;
+    }
+    bool has_alpha_texture(std::uint32_t row) const {
+        const PreparedTexture* const texture = texture_of(row);
+        return texture != nullptr && texture->has_alpha();
     }
     /// Whether transparent surfaces color the light that passes them.
     bool colors_shadows() const {

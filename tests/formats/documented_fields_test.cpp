@@ -190,6 +190,8 @@ TEST(DocumentedFields, OfTextures) {
             if constexpr (requires { type.words; }) {
                 row += fmt::format(" | {} | {} |", type.words[static_cast<std::size_t>(value)],
                                    field.description);
+            } else if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(value)>>) {
+                row += fmt::format(" | {} | {} |", default_text(value), field.description);
             } else {
                 row += fmt::format(" | ((1, 0, 0), (0, 1, 0)) | {} |", field.description);
             }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // .gltf: materials, textures, colors of vertices, cameras and lights.
 #include "formats/gltf/materials.h"
-#include "formats/gltf/picture.h"
 #include "formats/gltf_text.h"
 #include "math/elementary.h"
 
@@ -115,17 +114,6 @@ TEST(GltfMaterials, ColorsOfVerticesAreMultipliedByTheFactor) {
     EXPECT_EQ(result->meshes.at(0)->colors.values,
               (std::vector<Float3>{{0.5F, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.1F, 0.2F, 0.2F}}));
     EXPECT_NE(messages(result).find("glint ignores the alpha of the colors of vertices"), std::string::npos);
-}
-
-TEST(GltfMaterials, AlphaOfPictures) {
-    TextureImage image{2, 1, true, std::vector<std::uint8_t>{1, 2, 3, 100, 4, 5, 6, 200}};
-    TextureImage opaque = image, masked = image, kept = image;
-    gltf::apply_alpha(opaque, {});
-    EXPECT_EQ(opaque, (TextureImage{2, 1, false, std::vector<std::uint8_t>{1, 2, 3, 4, 5, 6}}));
-    gltf::apply_alpha(masked, {true, 0.5});
-    EXPECT_EQ(masked, (TextureImage{2, 1, true, std::vector<std::uint8_t>{1, 2, 3, 0, 4, 5, 6, 255}}));
-    gltf::apply_alpha(kept, {true, {}});
-    EXPECT_EQ(kept, image);
 }
 
 TEST(GltfCameras, TheFirstOfTheNodesCounts) {

@@ -246,6 +246,73 @@ TEST(Textures, AreExplained) {
     EXPECT_GE(textured, 3);
 }
 
+// Without texture, the mesh of k_mesh and what is around it.
+constexpr std::string_view k_around =
+    "sphere { center = (0.3, 0.5, -2)  radius = 1  color = (0.2, 0.9, 0.4) }\n"
+    "plane { point = (0, -1, 0)  normal = (0, 1, 0) }\n";
+
+TEST(Textures, WithFullAlphaAreOpaque) {
+    const std::string mesh = std::string(k_mesh) + "color = (1, 1, 1)  texture = t }", around(k_around);
+    const Scene opaque = scene_of("texture t { texels = (\"3366cc\") }" + mesh + around);
+    for (const char* alpha : {"blend", "mask", "ignore"}) {
+        expect_same_picture(opaque, scene_of("texture t { texels = (\"3366ccff\")  alpha = " +
+                                             std::string(alpha) + " }" + mesh + around));
+    }
+    expect_same_picture(opaque,
+                        scene_of("texture t { texels = (\"3366cc00\")  alpha = ignore }" + mesh + around));
+    expect_same_picture(opaque,
+                        scene_of("texture t { texels = (\"3366cc80\")  alpha = mask }" + mesh + around));
+}
+
+TEST(Textures, WithoutAlphaAreHoles) {
+    const std::string mesh = std::string(k_mesh) + "specular_color = (1, 1, 1)  texture = t }",
+                      around(k_around);
+    const Scene without = scene_of(around);
+    expect_same_picture(without,
+                        scene_of("texture t { texels = (\"3366cc7f\")  alpha = mask }" + mesh + around));
+    expect_same_picture(without, scene_of("texture t { texels = (\"3366cc80\")  alpha = mask  "
+                                          "alpha_cutoff = 0.51 }" +
+                                          mesh + around));
+}
+
+TEST(Textures, BlendByTheirAlpha) {
+    const std::string mesh(k_mesh), around(k_around);
+    // 51 / 255 = 0.2 is left of the opacity, so 0.8 is transmitted.
+    const Scene transmits = scene_of(mesh + "color = (1, 1, 1)  transmit = 0.8 }" + around);
+    const Scene blends = scene_of("texture t { texels = (\"ffffff33\") }" + mesh +
+                                  "color = (1, 1, 1)  texture = t }" + around);
+    expect_same_picture(transmits, blends);
+    const Scene both = scene_of("texture t { texels = (\"ffffff33\") }" + mesh +
+                                "color = (1, 1, 1)  filter = 0.5  texture = t }" + around);
+    expect_same_picture(scene_of(mesh + "color = (1, 1, 1)  filter = 0.1  transmit = 0.8 }" + around), both);
+}
+
+TEST(Textures, MasksAreSeenAndCastShadowsThroughAHundredLayers) {
+    // A column of texels is there, the other one is not: in the shadow of the layers, too.
+    std::string layers;
+    for (int i = 0; i < 100; ++i)
+        layers +=
+            "mesh { vertices = ((-1, 0, 0), (1, 0, 0), (1, 2, 0), (-1, 2, 0))  triangles = ((0, 1, 2), "
+            "(0, 2, 3))  texture_coordinates = ((0, 0), (1, 0), (1, 1), (0, 1))  texture = t  "
+            "translate = (0, 0, " +
+            std::to_string(-0.01 * i) + ") }\n";
+    const std::string ground = "plane { point = (0, 0, -4)  normal = (0, 0, 1)  color = (1, 1, 1) }\n";
+    const Scene scene = scene_of(
+        "texture t { texels = (\"ff000000 ff0000ff\")  filter = nearest  alpha = mask }\n" + layers + ground);
+    const Image image = picture_of(scene);
+    const Image empty = picture_of(scene_of(ground));
+    std::size_t through = 0, red = 0, same = 0;
+    for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
+        const bool is_red = image.rgb[i] > 0 && image.rgb[i + 1] == 0;
+        red += is_red;
+        same += image.rgb[i] == empty.rgb[i] && image.rgb[i + 1] == empty.rgb[i + 1];
+        through += !is_red;
+    }
+    EXPECT_GT(red, 50u);
+    EXPECT_GT(same, through / 2) << "the ground is seen where the layers have their holes";
+    EXPECT_LT(same, through) << "and it has their shadow";
+}
+
 TEST(Textures, AreCheckedInWorlds) {
     const Scene scene = scene_of("sphere { center = (0, 0, 0)  radius = 1  color = (1, 0, 0) }");
     const World world = prepare(scene).value();

@@ -190,9 +190,11 @@ std::optional<MaterialUse> Materials::read(JsonValue at) {
     }
     if (!read_transmission(at, base, material)) return std::nullopt;
     if (use.is_visible && base.texture.exists()) {
-        TextureAlpha alpha{use.is_transparent, {}};
-        if (mode == AlphaMode::mask) alpha.cutoff = base.alpha > 0 ? cutoff / base.alpha : 0;
-        const std::optional<TextureUse> texture = textures_.use(base.texture, alpha);
+        const TextureAlpha alpha = mode == AlphaMode::opaque ? TextureAlpha::ignore
+                                   : mode == AlphaMode::mask ? TextureAlpha::mask
+                                                             : TextureAlpha::blend;
+        const double least = base.alpha > 0 ? number::min(cutoff / base.alpha, 1.0) : 0;
+        const std::optional<TextureUse> texture = textures_.use(base.texture, alpha, least);
         if (!texture) return std::nullopt;
         material.texture = texture->texture;
         use.has_texture = texture->texture != k_none;

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "base/text.h"
-#include "formats/gltf/picture.h"
-#include "formats/include.h"
+#include "formats/texture_file.h"
 #include "math/elementary.h"
+#include "scene/fields.h"
 #include "scene/ranges.h"
 
 namespace glint::gltf {
@@ -66,54 +66,53 @@ bool Textures::read_place(JsonValue info, Texture& to, TextureUse& use) {
     if (set > 255) return file_.error(info, "expected a `texCoord` from 0 to 255");
     use.set = static_cast<std::uint32_t>(set);
     const double c = cos(rotation), s = sin(rotation);
-    const double map[2][3] = {{c * scale[0], s * scale[1], offset[0]},
-                              {s * scale[0], -(c * scale[1]), 1 - offset[1]}};
-    for (std::size_t row = 0; row < 2; ++row) {
-        for (std::size_t i = 0; i < 3; ++i) to.uv_map[row][i] = map[row][i];
-    }
+    to.uv_map = {{{c * scale[0], s * scale[1], offset[0]}, {s * scale[0], -(c * scale[1]), 1 - offset[1]}}};
     return true;
 }
 
-std::optional<std::string_view> Textures::bytes_of(JsonValue image, std::string& name) {
+std::shared_ptr<const TextureImage> Textures::decoded(JsonValue image, std::string_view bytes) {
+    std::string why;
+    auto texels = decode_texture_image(file_.reading, bytes, why);
+    if (!texels) file_.warn(image, fmt::format("{}; {}", why, k_without));
+    return texels;
+}
+
+// False after an error. A picture that cannot be read is a warning.
+bool Textures::read_picture(JsonValue image, Picture& picture) {
     if (const JsonValue view = image.find("bufferView"); view.exists()) {
         const std::optional<BufferView> found = buffers_.view(view);
-        return found ? std::optional(found->bytes) : std::nullopt;
+        if (found) picture.texels = decoded(image, found->bytes);
+        return found.has_value();
     }
     const JsonValue uri = image.find("uri");
-    if (!uri.is(JsonKind::string)) {
-        file_.expected(uri.exists() ? uri : image, "a `uri` or a `bufferView` of the image");
-        return std::nullopt;
+    if (!uri.is(JsonKind::string))
+        return file_.expected(uri.exists() ? uri : image, "a `uri` or a `bufferView` of the image");
+    if (is_data_uri(uri.text().substr(1))) {
+        const std::optional<std::string_view> bytes = buffers_.decode(uri);
+        if (bytes) picture.texels = decoded(uri, *bytes);
+        return bytes.has_value();
     }
-    if (is_data_uri(uri.text().substr(1))) return buffers_.decode(uri);
     std::string why;
     const std::optional<std::string> file = file_of_uri(uri.string(), why);
     if (!file || !is_picture_name(*file)) {
         if (file) why = "expected the name of a file that ends in .png, .jpg or .jpeg";
         file_.warn(uri, fmt::format("{}: {}; {}", quoted(uri.string()), why, k_without));
-        return std::nullopt;
+        return true;
     }
-    const std::optional<ReadText> text =
-        open_optional_text(file_.reading, file_.text, file_.token(uri), *file, k_without);
-    if (!text) return std::nullopt;
-    name = *file;
-    return text->place.text;
+    picture.texels =
+        optional_texture_image(file_.reading, file_.text, file_.token(uri), *file, picture.file, k_without);
+    return true;
 }
 
-const Textures::Picture* Textures::picture(JsonValue source, const TextureAlpha& alpha) {
+const Textures::Picture* Textures::picture(JsonValue source) {
     const std::optional<std::uint32_t> index = file_.index(source, List::images);
     if (!index) return nullptr;
-    const PictureKey key{*index, alpha.is_kept, alpha.cutoff.value_or(-1)};
-    const auto [found, is_new] = pictures_.try_emplace(key);
+    const auto [found, is_new] = pictures_.try_emplace(*index);
     if (!is_new) return &found->second;
-    const JsonValue image = file_.item(List::images, *index);
-    Picture& picture = found->second;
-    const std::uint32_t errors = file_.reading.diagnostics.error_count();
-    if (const std::optional<std::string_view> bytes = bytes_of(image, picture.file))
-        picture.texels = read_texture_image(file_, image, *bytes, alpha);
-    return file_.reading.diagnostics.error_count() == errors ? &picture : nullptr;
+    return read_picture(file_.item(List::images, *index), found->second) ? &found->second : nullptr;
 }
 
-std::optional<TextureUse> Textures::use(JsonValue info, const TextureAlpha& alpha) {
+std::optional<TextureUse> Textures::use(JsonValue info, TextureAlpha alpha, double cutoff) {
     const std::optional<std::uint32_t> index = file_.index(info.find("index"), List::textures);
     if (!index) return std::nullopt;
     const JsonValue at = file_.item(List::textures, *index);
@@ -127,15 +126,15 @@ std::optional<TextureUse> Textures::use(JsonValue info, const TextureAlpha& alph
                                     File::name(List::textures, *index), k_without));
         return use;
     }
-    const Picture* const found = picture(source, alpha);
+    const Picture* const found = picture(source);
     if (found == nullptr) return std::nullopt;
     if (!found->texels) return use;
     texture.image = found->texels;
     texture.file = found->file;
-    std::array<double, 6> map{};
-    for (std::size_t i = 0; i < 6; ++i) map[i] = texture.uv_map[i / 3][i % 3];
+    texture.alpha = alpha;
+    if (alpha == TextureAlpha::mask) texture.alpha_cutoff = cutoff;
     std::vector<Texture>& all = file_.reading.scene.textures;
-    const TextureKey key{*index, alpha.is_kept, alpha.cutoff.value_or(-1), map};
+    const TextureKey key{*index, alpha, texture.alpha_cutoff, numbers_of(texture.uv_map)};
     const auto [known, is_new] = textures_.try_emplace(key, static_cast<std::uint32_t>(all.size()));
     if (is_new) all.push_back(std::move(texture));
     use.texture = known->second;

@@ -12,13 +12,6 @@
 
 namespace glint::gltf {
 
-/// What the alpha of a material does to that of its texture: OPAQUE removes it, MASK makes it 0 or 1.
-struct TextureAlpha {
-    bool is_kept = false;
-    std::optional<double> cutoff;  ///< of the texture's alpha
-    friend bool operator==(const TextureAlpha&, const TextureAlpha&) = default;
-};
-
 struct TextureUse {
     std::uint32_t texture = k_none;  ///< into Scene::textures
     std::uint32_t set = 0;           ///< TEXCOORD_n
@@ -29,14 +22,12 @@ class Textures {
     Textures(File& file, Buffers& buffers) : file_(file), buffers_(buffers) {}
 
     /// The texture of a textureInfo object. Nothing after an error; a use without texture if its picture
-    /// cannot be read, which is a warning.
-    std::optional<TextureUse> use(JsonValue info, const TextureAlpha& alpha);
+    /// cannot be read, which is a warning. cutoff: Texture::alpha_cutoff, for TextureAlpha::mask.
+    std::optional<TextureUse> use(JsonValue info, TextureAlpha alpha, double cutoff);
 
   private:
-    /// An image, as a material's alpha needs it.
-    using PictureKey = std::tuple<std::uint32_t, bool, double>;
-    /// A texture, its picture's alpha, and uv_map.
-    using TextureKey = std::tuple<std::uint32_t, bool, double, std::array<double, 6>>;
+    /// A texture, what its alpha does, the cutoff, and uv_map.
+    using TextureKey = std::tuple<std::uint32_t, TextureAlpha, double, std::array<double, 6>>;
     struct Picture {
         std::shared_ptr<const TextureImage> texels;  ///< null: it cannot be read
         std::string file;
@@ -44,12 +35,13 @@ class Textures {
     bool read_sampler(JsonValue texture, Texture& to);
     bool read_wrap(JsonValue sampler, std::string_view key, TextureWrap& wrap);
     bool read_place(JsonValue info, Texture& to, TextureUse& use);
-    const Picture* picture(JsonValue source, const TextureAlpha& alpha);
-    std::optional<std::string_view> bytes_of(JsonValue image, std::string& name);
+    const Picture* picture(JsonValue source);
+    std::shared_ptr<const TextureImage> decoded(JsonValue image, std::string_view bytes);
+    bool read_picture(JsonValue image, Picture& picture);
 
     File& file_;
     Buffers& buffers_;
-    CountedMap<PictureKey, Picture> pictures_;
+    CountedMap<std::uint32_t, Picture> pictures_;     // by image
     CountedMap<TextureKey, std::uint32_t> textures_;  // into Scene::textures
 };
 

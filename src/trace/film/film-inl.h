@@ -167,7 +167,7 @@ HWY_INLINE Vector3<Doubles> ambient_of(const WorldParts& world, const MaterialLa
 /// k_e, if the world uses it; else 0.
 HWY_INLINE Vector3<Doubles> emission_of(const WorldParts& world, const MaterialLanes& material) {
     if (!world.uses<&Material::emission>()) return lanes_of(Vec3{});
-    return ExtendedLanes(world, material).color<&Material::emission>();
+    return ExtendedLanes(material).color<&Material::emission>();
 }
 
 /// The diffuse light of a vector of surfaces, with their outlines.

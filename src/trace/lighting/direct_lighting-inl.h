@@ -281,10 +281,10 @@ inline void compute_highlights(const LightingRules& rules, const SurfaceBatch& s
 /// k_d I_l,d (N·L)^brilliance f_att. strength: f_att, times the factor by the
 /// direction and the visible part of an area light.
 template <class Rules>
-HWY_INLINE Vector3<Doubles> diffuse_of(const WorldParts& world, const MaterialLanes& material,
-                                       const Rules& rules, Doubles n_l, Doubles strength) {
+HWY_INLINE Vector3<Doubles> diffuse_of(const MaterialLanes& material, const Rules& rules, Doubles n_l,
+                                       Doubles strength) {
     return contribution(material.color(k_diffuse), lanes_of(rules.color),
-                        diffuse_factor(world, material, rules.finish, n_l, rules), strength);
+                        diffuse_factor(material, rules.finish, n_l, rules), strength);
 }
 
 /// k_s I_l,s S^n f_att, with the second highlight and the tint of metals. power: S^n, or 0.
@@ -319,7 +319,7 @@ inline void add_light_by(const Rules& rules, const WorldParts& world, const Prep
         const Doubles n_l = load(samples.n_l.data() + i);
         Doubles diffuse_n_l = n_l;
         if constexpr (Rules::is_faulty) diffuse_n_l = faulty_diffuse(world, material, n_l);
-        add(radiance.diffuse, diffuse_of(world, material, rules, diffuse_n_l, strength), filtered);
+        add(radiance.diffuse, diffuse_of(material, rules, diffuse_n_l, strength), filtered);
         const auto bright = highlights_at(samples, rules, i);
         if (!any(bright) && !rules.finish.phong) continue;
         Doubles highlight = expand_load(power, bright);

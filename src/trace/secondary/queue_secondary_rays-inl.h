@@ -136,7 +136,7 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
     const MaterialLanes material(surfaces, h);
     const auto refracts = hit && material.value(k_transmission) > zero;
     auto through = first_lanes<double>(0);
-    if (transparent) through = hit && TransparencyLanes(world, material).is_transparent();
+    if (transparent) through = hit && TransparencyLanes(material).is_transparent();
     const auto glass = refracts || through;
     const Doubles a = mirror_of<plain>(world, material, surfaces, h);
     const auto has_secondary = glass || (hit && a > zero);

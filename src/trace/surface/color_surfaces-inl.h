@@ -36,6 +36,20 @@ inline void write_colored_rows(const WorldParts& world, SurfaceBatch& surfaces) 
     surfaces.row = rows;
 }
 
+/// Writes the values of the second table with the alpha of textures, for each hit.
+inline void write_faded_rows(const WorldParts& world, SurfaceBatch& surfaces) {
+    surfaces.faded_rows.resize(std::size_t{k_batch_size} * k_extended_values);
+    std::uint32_t* const rows = surfaces.faded_row.data();
+    for (int h = 0; h < surfaces.count; ++h) {
+        rows[h] = static_cast<std::uint32_t>(h);
+        write_extended_values(world, surfaces.surface(h), vec3_at(surfaces.point, h),
+                              surfaces.faded_rows.data() + std::size_t{rows[h]} * k_extended_values);
+    }
+    std::fill_n(rows + surfaces.count, k_ray_padding, static_cast<std::uint32_t>(surfaces.count - 1));
+    surfaces.extended = surfaces.faded_rows.data();
+    surfaces.extended_row = rows;
+}
+
 /// Finds the material of each surface, and the values of materials that lighting reads.
 inline void color_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
     const int count = surfaces.count;
@@ -50,6 +64,9 @@ inline void color_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
     std::fill_n(materials + count, k_ray_padding, materials[count - 1]);
     surfaces.rows = world.materials->data();
     surfaces.row = materials;
+    surfaces.extended = world.extended->data();
+    surfaces.extended_row = materials;
+    if (world.has_alpha_textures) write_faded_rows(world, surfaces);
     if (world.has_surface_colors()) write_colored_rows(world, surfaces);
 }
 

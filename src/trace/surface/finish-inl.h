@@ -44,10 +44,10 @@ HWY_INLINE Vector3<Doubles> contribution(Vector3<Doubles> k, Vector3<Doubles> li
 }
 
 /// The factor of k_d I_l,d: N·L, to the power of the brilliance.
-HWY_INLINE Doubles diffuse_factor(const WorldParts& world, const MaterialLanes& material,
-                                  const FinishRules& finish, Doubles n_l, const LightingRules& rules) {
+HWY_INLINE Doubles diffuse_factor(const MaterialLanes& material, const FinishRules& finish, Doubles n_l,
+                                  const LightingRules& rules) {
     if (!finish.brilliance) return diffuse_term(n_l, rules);
-    return brilliant_term(n_l, ExtendedLanes(world, material).value<&Material::brilliance>(), rules);
+    return brilliant_term(n_l, ExtendedLanes(material).value<&Material::brilliance>(), rules);
 }
 
 /// The light's color in highlights: I_l,s, or 1 for materials that leave it out.
@@ -55,27 +55,25 @@ HWY_INLINE Vector3<Doubles> highlight_light(const WorldParts& world, const Mater
                                             const Light& light, const FinishRules& finish) {
     const Vector3<Doubles> color = lanes_of(light.specular_color * world.direct);
     if (!finish.tinted) return color;
-    const auto tinted = ExtendedLanes(world, material).value<&Material::tinted_highlight>() > Doubles(0);
+    const auto tinted = ExtendedLanes(material).value<&Material::tinted_highlight>() > Doubles(0);
     return select_vector3(tinted, color, lanes_of(Color{1, 1, 1} * world.direct));
 }
 
 /// The factor of metals' highlights.
-HWY_INLINE Vector3<Doubles> highlight_tint(const WorldParts& world, const MaterialLanes& material,
-                                           const FinishRules& finish, Doubles n_l) {
+HWY_INLINE Vector3<Doubles> highlight_tint(const MaterialLanes& material, const FinishRules& finish,
+                                           Doubles n_l) {
     if (!finish.metallic) return lanes_of(Vec3{1, 1, 1});
-    return metal_tint(material.color(k_color), ExtendedLanes(world, material).value<&Material::metallic>(),
-                      n_l);
+    return metal_tint(material.color(k_color), ExtendedLanes(material).value<&Material::metallic>(), n_l);
 }
 
 /// S^n of the second highlight, or 0.
-HWY_INLINE Doubles phong_power_of(const WorldParts& world, const MaterialLanes& material,
-                                  const FinishRules& finish, Cosines<Doubles> phong,
-                                  const LightingRules& rules) {
+HWY_INLINE Doubles phong_power_of(const MaterialLanes& material, const FinishRules& finish,
+                                  Cosines<Doubles> phong, const LightingRules& rules) {
     const Doubles zero(0);
     if (!finish.phong) return zero;
     const auto bright = has_highlight(phong, rules);
     if (!any(bright)) return zero;
-    const Doubles n = ExtendedLanes(world, material).value<&Material::phong_shininess>();
+    const Doubles n = ExtendedLanes(material).value<&Material::phong_shininess>();
     return select(bright, highlight_power(phong.s, n, rules), zero);
 }
 
@@ -88,7 +86,7 @@ HWY_INLINE LaneMask<double> finished_highlight_adds(const WorldParts& world, con
     auto adds = has_highlight(c, rules) && is_colored(material.color(k_specular), color);
     if (finish.phong)
         adds = adds || (has_highlight(phong, rules) &&
-                        is_colored(ExtendedLanes(world, material).color<&Material::phong>(), color));
+                        is_colored(ExtendedLanes(material).color<&Material::phong>(), color));
     return adds;
 }
 
@@ -100,9 +98,9 @@ HWY_INLINE Vector3<Doubles> finished_highlight(const WorldParts& world, const Ma
     const Vector3<Doubles> color = highlight_light(world, material, light, finish);
     Vector3<Doubles> sum = contribution(material.color(k_specular), color, power, strength);
     if (finish.phong)
-        sum = sum + contribution(ExtendedLanes(world, material).color<&Material::phong>(), color,
-                                 phong_power_of(world, material, finish, phong, rules), strength);
-    return finish.metallic ? sum * highlight_tint(world, material, finish, phong.n_l) : sum;
+        sum = sum + contribution(ExtendedLanes(material).color<&Material::phong>(), color,
+                                 phong_power_of(material, finish, phong, rules), strength);
+    return finish.metallic ? sum * highlight_tint(material, finish, phong.n_l) : sum;
 }
 
 /// The cosine of the angle between the normal and the ray, on either side.
@@ -117,7 +115,7 @@ HWY_INLINE Doubles mirror_of(const WorldParts& world, const MaterialLanes& mater
                              const SurfaceBatch& surfaces, int h) {
     const Doubles a = material.value(k_mirror);
     if (plain || !world.uses<&Material::mirror_falloff>()) return a;
-    const ExtendedLanes extended(world, material);
+    const ExtendedLanes extended(material);
     return angled_mirror(extended.value<&Material::mirror_min>(), a,
                          extended.value<&Material::mirror_falloff>(),
                          incidence(load_vector3(surfaces.normal, h), load_vector3(surfaces.incoming, h)));
@@ -127,7 +125,7 @@ HWY_INLINE Doubles mirror_of(const WorldParts& world, const MaterialLanes& mater
 HWY_INLINE Doubles outline_of(const WorldParts& world, const MaterialLanes& material,
                               const SurfaceBatch& surfaces, int h) {
     if (!world.uses<&Material::outline>()) return Doubles(1);
-    const ExtendedLanes extended(world, material);
+    const ExtendedLanes extended(material);
     return outline_factor(extended.value<&Material::outline>(), extended.value<&Material::outline_width>(),
                           incidence(load_vector3(surfaces.normal, h), load_vector3(surfaces.incoming, h)));
 }
@@ -135,9 +133,9 @@ HWY_INLINE Doubles outline_of(const WorldParts& world, const MaterialLanes& mate
 /// The transparency of the surfaces at h, for rays that see them.
 HWY_INLINE TransparencyLanes transparency_of(const WorldParts& world, const MaterialLanes& material,
                                              const SurfaceBatch& surfaces, int h) {
-    TransparencyLanes transparency(world, material);
+    TransparencyLanes transparency(material);
     if (!world.uses<&Material::angled_opacity>()) return transparency;
-    const Doubles angled = ExtendedLanes(world, material).value<&Material::angled_opacity>();
+    const Doubles angled = ExtendedLanes(material).value<&Material::angled_opacity>();
     const Doubles cosine = incidence(load_vector3(surfaces.normal, h), load_vector3(surfaces.incoming, h));
     transparency.transmit =
         select(angled > Doubles(0), angled_transmit(transparency.transmit, cosine), transparency.transmit);
@@ -151,7 +149,7 @@ HWY_INLINE Vector3<Doubles> mirror_tint_of(const WorldParts& world, const Materi
     const Vector3<Doubles> tint = material.color(k_mirror_tint);
     if (plain || !world.uses<&Material::mirror_metallic>()) return tint;
     return tint * metal_tint(material.color(k_color),
-                             ExtendedLanes(world, material).value<&Material::mirror_metallic>(),
+                             ExtendedLanes(material).value<&Material::mirror_metallic>(),
                              incidence(normal, incoming));
 }
 

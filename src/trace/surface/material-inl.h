@@ -30,12 +30,16 @@ struct MaterialLanes {
     const std::uint32_t* index;
     bool same;
     const std::uint32_t* material;  // the rows in the World's tables
+    const double* extended;         // of SurfaceBatch
+    const std::uint32_t* extended_index;
 
     HWY_INLINE MaterialLanes(const SurfaceBatch& surfaces, int h)
         : base(surfaces.rows),
           index(surfaces.row + h),
           same(all_same(surfaces.row + h)),
-          material(surfaces.material.data() + h) {}
+          material(surfaces.material.data() + h),
+          extended(surfaces.extended),
+          extended_index(surfaces.extended_row + h) {}
 
     HWY_INLINE Doubles value(int k) const { return table_value(base, index, same, k_material_values, k); }
     HWY_INLINE Vector3<Doubles> color(int k) const { return {value(k), value(k + 1), value(k + 2)}; }
@@ -47,8 +51,8 @@ struct ExtendedLanes {
     const std::uint32_t* index;
     bool same;
 
-    HWY_INLINE ExtendedLanes(const WorldParts& world, const MaterialLanes& material)
-        : base(world.extended->data()), index(material.material), same(all_same(material.material)) {}
+    HWY_INLINE explicit ExtendedLanes(const MaterialLanes& material)
+        : base(material.extended), index(material.extended_index), same(all_same(material.extended_index)) {}
 
     template <auto Member> HWY_INLINE Doubles value() const { return column(k_extended_value<Member>); }
     template <auto Member> HWY_INLINE Vector3<Doubles> color() const {
@@ -66,9 +70,9 @@ struct TransparencyLanes {
     Doubles filter, transmit;
     Vector3<Doubles> color;
 
-    HWY_INLINE TransparencyLanes(const WorldParts& world, const MaterialLanes& material)
-        : filter(ExtendedLanes(world, material).value<&Material::filter>()),
-          transmit(ExtendedLanes(world, material).value<&Material::transmit>()),
+    HWY_INLINE explicit TransparencyLanes(const MaterialLanes& material)
+        : filter(ExtendedLanes(material).value<&Material::filter>()),
+          transmit(ExtendedLanes(material).value<&Material::transmit>()),
           color(material.color(k_color)) {}
 
     HWY_INLINE LaneMask<double> is_transparent() const {

@@ -14,19 +14,13 @@ inline std::uint32_t material_row(const WorldParts& world, SurfaceId id) {
     return (*world.slot_material)[id.slot];
 }
 
-/// The texture of the surface at a point; nothing without one, or where its picture is not. number: of the
-/// texture in WorldParts::textures, if wanted.
-inline std::optional<TextureSample> surface_texture(const WorldParts& world, SurfaceId id, Vec3 point,
-                                                    std::uint32_t* number = nullptr) {
-    if (!world.uses<&Material::texture>()) return {};
-    const double index = world.extended_row(material_row(world, id))[k_extended_value<&Material::texture>];
-    if (!(index < static_cast<double>(world.textures->size()))) return {};
-    const auto texture = static_cast<std::uint32_t>(index);
-    if (number != nullptr) *number = texture;
-    const PreparedTexture& prepared = (*world.textures)[texture];
-    const std::optional<TexturePlace> place = texture_place(*world.geometry, prepared, id, point);
+/// The texture of the surface at a point; nothing without one, or where its picture is not.
+inline std::optional<TextureSample> surface_texture(const WorldParts& world, SurfaceId id, Vec3 point) {
+    const PreparedTexture* const texture = world.texture_of(material_row(world, id));
+    if (texture == nullptr) return {};
+    const std::optional<TexturePlace> place = texture_place(*world.geometry, *texture, id, point);
     if (!place) return {};
-    return sample_texture(prepared, *place);
+    return sample_texture(*texture, *place);
 }
 
 /// The surface's own color at a point: that of the mesh's vertices, else the shape's; not set if there is
@@ -62,10 +56,9 @@ inline void write_surface_values(const WorldParts& world, SurfaceId id, const Ve
     const ShapeColor color = own_color(world, id, point);
     if (color.is_set()) replace_color(world, row, color.color(), to);
     if (point == nullptr) return;
-    std::uint32_t number = 0;
-    const std::optional<TextureSample> texture = surface_texture(world, id, *point, &number);
+    const std::optional<TextureSample> texture = surface_texture(world, id, *point);
     if (!texture) return;
-    if ((*world.textures)[number].mix == TextureMix::replace)
+    if (world.texture_of(row)->mix == TextureMix::replace)
         return replace_color(world, row, texture->color, to);
     const double channels[3] = {texture->color.r, texture->color.g, texture->color.b};
     for (int c = 0; c < 3; ++c) {
@@ -133,9 +126,35 @@ inline bool colors_light(const WorldParts& world, SurfaceId id) {
     return world.is_transparent(row) && casts_shadow_by_row(world, row);
 }
 
+/// The part of a surface's opacity that its texture leaves at a point.
+inline double texture_opacity(const WorldParts& world, SurfaceId id, Vec3 point) {
+    const PreparedTexture* const texture = world.texture_of(material_row(world, id));
+    if (texture == nullptr || !texture->has_alpha()) return 1;
+    const std::optional<TextureSample> sample = surface_texture(world, id, point);
+    return sample ? texture->opacity(sample->alpha) : 1;
+}
+
+/// Whether the surface has a hole at a point (TextureAlpha::mask).
+inline bool is_hole(const WorldParts& world, SurfaceId id, Vec3 point) {
+    const PreparedTexture* const texture = world.texture_of(material_row(world, id));
+    return texture != nullptr && texture->alpha == TextureAlpha::mask &&
+           texture_opacity(world, id, point) == 0;
+}
+
+/// Writes the k_extended_values of a surface: its material's row, with the transparency of its texture.
+inline void write_extended_values(const WorldParts& world, SurfaceId id, Vec3 point, double* to) {
+    std::copy_n(world.extended_row(material_row(world, id)), k_extended_values, to);
+    const double opacity = texture_opacity(world, id, point);
+    if (opacity == 1) return;
+    to[k_extended_value<&Material::filter>] *= opacity;
+    double& transmit = to[k_extended_value<&Material::transmit>];
+    transmit = faded_transmit(transmit, opacity);
+}
+
 /// The factor of light that passes a transparent surface: transmit + filter * color.
 inline Color shadow_factor(const WorldParts& world, SurfaceId id, Vec3 point) {
-    const double* const values = world.extended_row(material_row(world, id));
+    double values[k_extended_values];
+    write_extended_values(world, id, point, values);
     const Color color = surface_color(world, id, point);
     const double filter = values[k_extended_value<&Material::filter>],
                  transmit = values[k_extended_value<&Material::transmit>];

@@ -140,6 +140,13 @@ void set_colors(WorldParts& parts, std::span<const ShapeColor> colors, int threa
     set_color_factors(parts);
 }
 
+void set_alpha_uses(WorldParts& parts) {
+    parts.has_alpha_textures = false;
+    for (std::uint32_t row = 0; row < parts.scene_materials(); ++row)
+        parts.has_alpha_textures = parts.has_alpha_textures || parts.has_alpha_texture(row);
+    if (parts.has_alpha_textures) parts.extended_uses |= k_extended_field<&Material::transmit>;
+}
+
 void set_color_factors(WorldParts& parts) {
     if (parts.has_surface_colors()) {
         parts.color_factors = find_color_factors(*parts.materials);
