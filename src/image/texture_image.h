@@ -24,7 +24,9 @@ namespace glint {
 ///
 /// What follows the end of a picture is ignored. A file that is cut off is an error. So is a PNG with a wrong
 /// checksum, and an index beyond a TGA's palette; beyond a PNG's palette it is black, as with libpng. JPEG
-/// has no checksum: damaged data may give other words, the same in every build.
+/// has no checksum: damaged data may give other words, the same in every build. The words of JPEG differ a
+/// little from those of libjpeg, most in the last columns where colors are stored at half the width only
+/// (4:2:2).
 ///
 /// An error if options.max_pixels or max_memory is exceeded. Never throws.
 Result<TextureImage> decode_texture(std::span<const std::uint8_t> bytes, const DecodeOptions& options = {});
