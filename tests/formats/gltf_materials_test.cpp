@@ -170,5 +170,27 @@ TEST(GltfLights, HaveTheirUnits) {
         << messages(wrong);
 }
 
+TEST(GltfLights, AreMadeWeakerIfAllWouldBeWhite) {
+    const auto lights = [](double intensity) {
+        GltfText file = gltf_square();
+        file.members["extensions"] = fmt::format(
+            R"({{"KHR_lights_punctual": {{"lights": [{{"type": "directional", "intensity": {}}}, {{"type": "directional", "intensity": 0}}]}}}})",
+            intensity);
+        file.members["nodes"] =
+            R"([{"mesh": 0}, {"extensions": {"KHR_lights_punctual": {"light": 0}}}, {"extensions": {"KHR_lights_punctual": {"light": 1}}}])";
+        file.members["scenes"] = R"([{"nodes": [0, 1, 2]}])";
+        return load_text(file.text(), "a.gltf");
+    };
+    const Result<Scene> usual = lights(9 * k_half_turn), sun = lights(1000 * k_half_turn);
+    ASSERT_TRUE(usual && sun);
+    EXPECT_NEAR(usual->lights.at(0).color.r, 9, 1e-12);
+    EXPECT_EQ(messages(usual), "");
+    EXPECT_NEAR(sun->lights.at(0).color.r, 1, 1e-12);
+    EXPECT_EQ(sun->lights.at(1).color.r, 0);
+    EXPECT_NE(messages(sun).find("1000 times as bright as white: glint divides all of them by 1000"),
+              std::string::npos)
+        << messages(sun);
+}
+
 }  // namespace
 }  // namespace glint::test

@@ -15,6 +15,7 @@ void Contents::add() {
     if (const JsonValue animations = file_.root().find("animations"); animations.size() > 0)
         file_.warn_once("gltf animations", animations,
                         "glint draws the file at rest, without its animations");
+    const std::size_t lights = file_.reading.scene.lights.size();
     for (const PlacedNode& placed : nodes_.placed()) {
         if (!file_.is_alive()) return;
         const JsonValue node = file_.item(List::nodes, placed.node);
@@ -24,6 +25,7 @@ void Contents::add() {
         const JsonValue light = File::extension(node, "KHR_lights_punctual").find("light");
         if (light.exists()) add_light(file_, light, placed.world_from_node);
     }
+    limit_exposure(file_, lights, box_);
 }
 
 // glTF 2.0, section 3.7.3.3: the joints place the vertices, not the node. The whole mesh is placed as its
@@ -129,6 +131,10 @@ void Contents::add_shapes(JsonValue node, std::span<const MeshPart> parts, const
         scene.transforms.push_back(world_from_mesh);
     }
     for (const MeshPart& part : parts) {
+        for (unsigned i = 0; i < 8; ++i)
+            box_.add(transform_point(world_from_mesh, {(i & 1) != 0 ? part.box.hi.x : part.box.lo.x,
+                                                       (i & 2) != 0 ? part.box.hi.y : part.box.lo.y,
+                                                       (i & 4) != 0 ? part.box.hi.z : part.box.lo.z}));
         note(scene.shape_texts, scene.shapes.size(), file_.place(node), name);
         scene.add(Mesh{part.mesh}, part.material, transform);
         if (++shapes_ % k_shapes_between_looks == 0 && !file_.go_on(node)) return;

@@ -27,11 +27,15 @@ class Contents {
     Meshes& meshes_;
     const Nodes& nodes_;
     std::uint64_t shapes_ = 0;
+    Extent box_;  // of the boxes of all shapes
 };
 
 /// Sets the scene's camera to camera `index`. The first of a file counts.
 void set_camera(File& file, JsonValue index, const Affine& world_from_node);
 /// Adds a light of KHR_lights_punctual.
 void add_light(File& file, JsonValue index, const Affine& world_from_node);
+/// Makes all lights from number `first` on weaker by one factor, with a warning, if they are so strong for a
+/// scene of this extent that its picture would be white.
+void limit_exposure(File& file, std::size_t first, const Extent& box);
 
 }  // namespace glint::gltf

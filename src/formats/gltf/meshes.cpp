@@ -89,7 +89,9 @@ void Meshes::read_primitive(JsonValue primitive, CountedVector<MeshPart>& parts)
         return;
     if (from.colors != nullptr && !read_colors(*from.colors, used, *use, *mesh)) return;
     Scene& scene = file_.reading.scene;
-    parts.push_back({static_cast<std::uint32_t>(scene.meshes.size()), use->material});
+    MeshPart part{static_cast<std::uint32_t>(scene.meshes.size()), use->material};
+    for (const Float3& p : mesh->single_positions) part.box.add(to_vec3(p));
+    parts.push_back(part);
     scene.meshes.push_back(std::move(mesh));
 }
 

@@ -8,6 +8,7 @@
 #include "formats/gltf/accessors.h"
 #include "formats/gltf/materials.h"
 #include "glint/mesh.h"
+#include "math/extent.h"
 
 namespace glint::gltf {
 
@@ -15,6 +16,7 @@ namespace glint::gltf {
 struct MeshPart {
     std::uint32_t mesh = 0;  ///< into Scene::meshes
     std::uint32_t material = k_none;
+    Extent box{};  ///< of its vertices
 };
 
 class Meshes {

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "formats/gltf/contents.h"
 #include "formats/profile_file.h"
+#include "math/number.h"
 #include "math/transform.h"
 #include "scene/ranges.h"
 
@@ -16,6 +17,8 @@ constexpr double k_degrees = 180 / k_pi;
 constexpr Range k_fov{0, k_pi, true, true, "an angle between 0 and pi"};
 constexpr Range k_intensity{0, 1e12, false, false, "a number from 0 to 1e12"};
 constexpr Range k_cone{0, k_pi / 2, false, false, "an angle from 0 to pi/2"};
+
+constexpr double k_brightest = 10;  // that lights are left as they are: times white
 
 Vec3 axis_of(const Affine& world_from_node, Vec3 axis) {
     return normalize(transform_vector(world_from_node, axis));
@@ -113,6 +116,31 @@ void add_light(File& file, JsonValue value, const Affine& world_from_node) {
         set_named_setting(scene, "clamp_attenuation", "false", {SettingOrigin::Kind::file, file.place(at)});
     note(scene.light_texts, scene.lights.size(), file.place(at), file.string(at, "name"));
     scene.lights.push_back(light);
+}
+
+// A camera or an eye adapts to the light, and files have that of the sun (100000 lux), or of lamps in metres
+// for scenes in any unit.
+void limit_exposure(File& file, std::size_t first, const Extent& box) {
+    std::vector<Light>& lights = file.reading.scene.lights;
+    if (first >= lights.size() || !(box.lo.x <= box.hi.x)) return;
+    const Vec3 middle = (box.lo + box.hi) / 2;
+    const double radius = length(box.hi - box.lo) / 2;
+    double sum = 0;  // of what a white surface in the middle reflects
+    for (std::size_t i = first; i < lights.size(); ++i) {
+        const Light& light = lights[i];
+        const double strongest = number::max(light.color.r, number::max(light.color.g, light.color.b));
+        // Near a light, the surfaces around it count.
+        const double distance = number::max(length(light.position - middle), radius / 2);
+        sum += light.has_position() ? strongest / number::max(distance * distance, 1e-300) : strongest;
+    }
+    if (!(sum > k_brightest)) return;
+    for (std::size_t i = first; i < lights.size(); ++i)
+        lights[i].color = lights[i].specular_color = lights[i].color * (1 / sum);
+    const JsonValue at = file.root().find("extensions").find("KHR_lights_punctual");
+    file.warn(at,
+              fmt::format("the lights make a white surface {:.0f} times as bright as white: glint divides "
+                          "all of them by {:.6g}",
+                          number::min(sum, 1e18), sum));
 }
 
 }  // namespace glint::gltf
