@@ -14,7 +14,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little);
 
 // Of an accessor without bytes, which a short file could otherwise ask for in any number.
-constexpr std::uint64_t k_max_zeros = std::uint64_t{1} << 24;
+constexpr std::uint64_t k_max_zeros = std::uint64_t{1} << 20;
 constexpr std::uint64_t k_max_count = 0xffffffff;  // 2^32 - 1 vertices, so that their numbers are below it
 
 constexpr std::pair<std::string_view, std::uint32_t> k_types[] = {

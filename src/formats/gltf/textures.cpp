@@ -113,7 +113,12 @@ const Textures::Picture* Textures::picture(JsonValue source) {
 }
 
 std::optional<TextureUse> Textures::use(JsonValue info, TextureAlpha alpha, double cutoff) {
-    const std::optional<std::uint32_t> index = file_.index(info.find("index"), List::textures);
+    const JsonValue number = info.find("index");
+    if (!number.exists()) {
+        file_.expected(info, "an object with the `index` of a texture");
+        return std::nullopt;
+    }
+    const std::optional<std::uint32_t> index = file_.index(number, List::textures);
     if (!index) return std::nullopt;
     const JsonValue at = file_.item(List::textures, *index);
     Texture texture;
@@ -136,7 +141,10 @@ std::optional<TextureUse> Textures::use(JsonValue info, TextureAlpha alpha, doub
     std::vector<Texture>& all = file_.reading.scene.textures;
     const TextureKey key{*index, alpha, texture.alpha_cutoff, numbers_of(texture.uv_map)};
     const auto [known, is_new] = textures_.try_emplace(key, static_cast<std::uint32_t>(all.size()));
-    if (is_new) all.push_back(std::move(texture));
+    if (is_new) {
+        all.push_back(std::move(texture));
+        note(file_.reading.scene.texture_texts, known->second, file_.place(at), file_.string(at, "name"));
+    }
     use.texture = known->second;
     return use;
 }

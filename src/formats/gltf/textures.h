@@ -15,7 +15,6 @@ namespace glint::gltf {
 struct TextureUse {
     std::uint32_t texture = k_none;  ///< into Scene::textures
     std::uint32_t set = 0;           ///< TEXCOORD_n
-    std::array<double, 6> uv_map{};  ///< of the texture, row by row
 };
 
 class Textures {
