@@ -21,10 +21,11 @@ void read(LoadState& reading, const ReadText& text) {
     Textures textures(file, buffers);
     Materials materials(file, textures);
     Meshes meshes(file, accessors, materials);
-    const std::size_t shapes = reading.scene.shapes.size();
+    const std::size_t shapes = reading.scene.shapes.size(), lights = reading.scene.lights.size();
     Contents(file, accessors, meshes, nodes).add();
     if (!file.is_alive() || !file.go_on(file.root()) || reading.diagnostics.any_errors()) return;
-    if (reading.scene.shapes.size() == shapes) {
+    const bool has_lights = text.is_included && reading.scene.lights.size() > lights;
+    if (reading.scene.shapes.size() == shapes && !has_lights) {
         file.error(file.root(), "the scene has no triangles");
         return;
     }
