@@ -40,9 +40,10 @@ enum class TextureFilter : std::uint8_t { nearest, bilinear };
 /// color).
 enum class TextureMix : std::uint8_t { multiply, replace };
 
-/// What the texels' words are. srgb: decoded by the sRGB curve (IEC 61966-2-1), before they are mixed.
-/// linear: word / 255, or word / 65535. Alpha is always linear.
-enum class TextureEncoding : std::uint8_t { srgb, linear };
+/// What the texels' words are. linear: word / 255, or word / 65535, as colors are written in scenes whose
+/// picture has Transfer::none. srgb: decoded by the sRGB curve (IEC 61966-2-1), before they are mixed; for
+/// pictures with Transfer::srgb. Alpha is always linear.
+enum class TextureEncoding : std::uint8_t { linear, srgb };
 
 /// What the texels' alpha A does. blend: the surface is transparent where A is below 1: of its opacity, the
 /// part A is left. mask: A counts as 1 from Texture::alpha_cutoff on, and below it there is no surface.
@@ -70,7 +71,7 @@ struct Texture {
     TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
     TextureFilter filter = TextureFilter::bilinear;
     TextureMix mix = TextureMix::multiply;
-    TextureEncoding encoding = TextureEncoding::srgb;
+    TextureEncoding encoding = TextureEncoding::linear;
     TextureAlpha alpha = TextureAlpha::blend;
     double alpha_cutoff = 0.5;  ///< 0 to 1
     /// u and v in the picture from those of the surface: (a u + b v + c, d u + e v + f).

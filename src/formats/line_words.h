@@ -67,6 +67,12 @@ class LineWords {
         return found_;
     }
 
+    /// The same from the last word on, which it contains.
+    std::string_view rest_from_word() {
+        at_ = start_;
+        return rest();
+    }
+
     /// Of the last word or rest, or of the place where none was.
     std::size_t start() const { return start_; }
     std::size_t length() const { return std::max<std::size_t>(found_.size(), 1); }

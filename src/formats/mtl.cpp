@@ -25,6 +25,7 @@ struct MtlStatements {
     std::optional<Color> ka, kd, ks, ke;
     double ns = Material{}.shininess, ni = 1;
     std::optional<double> d, tr;
+    std::optional<MtlMap> map_kd, map_d;
     int illum = 2;
 
     bool is_mirror() const { return illum >= 3 && illum <= 9; }
@@ -34,7 +35,7 @@ struct MtlStatements {
 
     Material material() const {
         Material m;
-        m.color = m.diffuse = kd.value_or(m.color);
+        m.color = m.diffuse = kd.value_or(map_kd ? Color{1, 1, 1} : m.color);
         m.ambient = ka.value_or(m.diffuse);
         m.shininess = ns;
         m.emission = ke.value_or(Color{});
@@ -93,6 +94,10 @@ class MtlReader : LineReader {
             opacity(now_.tr);
         } else if (word == "illum") {
             illum();
+        } else if (word == "map_Kd") {
+            texture(now_.map_kd);
+        } else if (word == "map_d") {
+            texture(now_.map_d);
         } else if (word == "Tf") {
             filter();
         } else {
@@ -113,7 +118,7 @@ class MtlReader : LineReader {
         }
     }
     void finish() {
-        if (name_) materials_[*name_] = {now_.material(), place_};
+        if (name_) materials_[*name_] = {now_.material(), now_.map_kd, now_.map_d, place_};
         name_.reset();
         now_ = {};
     }
@@ -168,11 +173,18 @@ class MtlReader : LineReader {
             warn_once("mtl Tf", "glint ignores `Tf`: what is behind a transparent surface is not tinted");
     }
 
+    void texture(std::optional<MtlMap>& map) {
+        const std::string wanted = read_mtl_map(words_, text_.file, map.emplace());
+        if (wanted.empty()) return;
+        map.reset();
+        expected(wanted);
+    }
+
     void ignore(std::string_view word) {
         constexpr std::string_view textures[] = {"bump", "disp", "decal", "refl", "norm"};
         if (word.starts_with("map_") || is_in(textures, word)) {
             warn_once("mtl textures",
-                      fmt::format("glint ignores {}: surfaces have no textures", quoted(word)));
+                      fmt::format("glint ignores {}: only `map_Kd` and `map_d` are drawn", quoted(word)));
         } else {
             warn_once("mtl other", fmt::format("glint ignores {} in materials", quoted(word)));
         }

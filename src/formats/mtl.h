@@ -5,12 +5,13 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/load_state.h"
+#include "formats/mtl_texture.h"
 
 namespace glint {
 
 struct MtlMaterial {
-    Material material;
+    Material material;  ///< without its texture
+    std::optional<MtlMap> color_map, opacity_map;
     SourcePlace place;
 };
 using MtlMaterials = CountedMap<std::string, MtlMaterial>;  ///< by name

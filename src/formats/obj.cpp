@@ -53,6 +53,7 @@ class ObjReader : LineReader {
         if (reading_.diagnostics.error_count() > errors) return false;
         if (!vertex_numbers_.check(data_.positions.size(), "vertex", reading_, where_)) return false;
         if (!normal_numbers_.check(data_.normals.size(), "normal", reading_, where_)) return false;
+        if (!texture_numbers_.check(data_.texture_coordinates.size(), "`vt`", reading_, where_)) return false;
         if (data_.parts.empty()) {
             reading_.diagnostics.error(where_, 0, 1, "no faces with three vertices");
             return false;
@@ -73,7 +74,7 @@ class ObjReader : LineReader {
         if (word == "v") return read_vertex();
         if (word == "vn") return read_normal();
         if (word == "f" || word == "fo") return read_face();
-        if (word == "vt") return;  // textures are not drawn
+        if (word == "vt") return read_texture_coordinates();
         if (word == "usemtl") return use_material();
         if (word == "mtllib") return read_libraries();
         if (word == "s") return read_group();
@@ -122,11 +123,22 @@ class ObjReader : LineReader {
         if (point(n)) data_.normals.push_back(to_single(n));
     }
 
-    // A face with more than three corners becomes triangles that have its first corner in common. The normals
-    // count if each corner has one.
+    // u, and v and a depth if they are there.
+    void read_texture_coordinates() {
+        double u = 0, v = 0;
+        if (!number(u, k_coordinate)) return;
+        if (!words_.next().empty() && (!read_number_word(words_.found(), v) || !k_coordinate.contains(v))) {
+            expected(k_coordinate.text);
+            return;
+        }
+        data_.texture_coordinates.push_back(to_single({u, v, 0}));
+    }
+
+    // A face with more than three corners becomes triangles that have its first corner in common. Normals and
+    // texture coordinates count if each corner has them.
     void read_face() {
         face_.clear();
-        bool has_normals = true;
+        bool has_normals = true, has_textures = true;
         while (!words_.next().empty()) {
             ObjCorner corner;
             if (!read_corner(corner)) return;
@@ -135,6 +147,7 @@ class ObjReader : LineReader {
                 return;
             }
             has_normals = has_normals && corner.normal != CornerValues::k_none;
+            has_textures = has_textures && corner.texture != CornerValues::k_none;
             face_.push_back(corner);
         }
         if (face_.size() < 3) {
@@ -146,6 +159,11 @@ class ObjReader : LineReader {
         for (std::size_t i = 2; i < face_.size(); ++i) {
             const ObjCorner &a = face_[0], &b = face_[i - 1], &c = face_[i];
             part.triangles.push_back({a.vertex, b.vertex, c.vertex});
+            if (has_textures) {
+                constexpr std::uint32_t none = CornerValues::k_none;
+                part.textures.resize(part.triangles.size() - 1, {none, none, none});
+                part.textures.push_back({a.texture, b.texture, c.texture});
+            }
             if (!has_normals && group_ == 0) continue;
             part.normals.resize(part.triangles.size() - 1, {CornerValues::k_none, 0, 0});
             part.normals.push_back(has_normals ? TriangleCorners{a.normal, b.normal, c.normal}
@@ -159,6 +177,11 @@ class ObjReader : LineReader {
         const std::size_t vertices = data_.positions.size(), normals = data_.normals.size();
         if (!vertex_numbers_.resolve(indices.vertex, vertices, words_, corner.vertex))
             return too_negative("vertex", vertices);
+        if (indices.texture != 0) {
+            const std::size_t count = data_.texture_coordinates.size();
+            if (!texture_numbers_.resolve(indices.texture, count, words_, corner.texture))
+                return too_negative("`vt`", count);
+        }
         return indices.normal == 0 ||
                normal_numbers_.resolve(indices.normal, normals, words_, corner.normal) ||
                too_negative("normal", normals);
@@ -250,7 +273,7 @@ class ObjReader : LineReader {
     const ReadText& text_;
     const bool is_one_mesh_;
     ObjData data_;
-    ObjNumbers vertex_numbers_, normal_numbers_;
+    ObjNumbers vertex_numbers_, normal_numbers_, texture_numbers_;
     CountedVector<ObjCorner> face_;
     std::uint64_t small_faces_ = 0, work_ = 0;
     std::string object_name_, group_name_, material_;

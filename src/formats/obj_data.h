@@ -20,6 +20,9 @@ struct ObjPart {
     /// By triangle: numbers of normals. If the first is k_none, the triangle has none, and the second is its
     /// smoothing group, or 0. Shorter than `triangles`, or empty: the others have neither.
     CountedVector<TriangleCorners> normals;
+    /// By triangle: numbers of texture coordinates, k_none three times for a triangle without. Shorter than
+    /// `triangles`, or empty: the others have none.
+    CountedVector<TriangleCorners> textures;
 };
 
 struct ObjData {
@@ -27,6 +30,7 @@ struct ObjData {
     bool is_single = true;                ///< no position needs more than single precision
     CountedVector<Float3> vertex_colors;  ///< by vertex; a shorter list: the others have none
     CountedVector<Float3> normals;
+    CountedVector<Float3> texture_coordinates;  ///< u, v, 0
     CountedVector<ObjPart> parts;
 
     static constexpr Float3 k_no_color{-1, -1, -1};
@@ -56,14 +60,15 @@ class ObjMeshes {
         std::uint32_t number_of(std::uint32_t in_file);
         void clear();
     };
-    void add_normals(const ObjPart& part, MeshData& mesh);
+    void add_values(const CountedVector<TriangleCorners>& part, const CountedVector<Float3>& all, Used& used,
+                    const MeshData& mesh, CornerValues& values);
     void add_colors(const ObjPart& part, MeshData& mesh);
     bool has_room(const ObjPart& part);
 
     ObjData& data_;
     LoadState& reading_;
     InputText where_;
-    Used vertices_, normals_;
+    Used vertices_, normals_, textures_;
 };
 
 }  // namespace glint

@@ -14,7 +14,7 @@
 namespace glint {
 
 struct ObjCorner {
-    std::uint32_t vertex = 0, normal = CornerValues::k_none;
+    std::uint32_t vertex = 0, normal = CornerValues::k_none, texture = CornerValues::k_none;
 };
 
 /// As written. 0: not there.
@@ -39,7 +39,7 @@ inline bool read_obj_indices(std::string_view word, ObjIndices& indices) {
     return at == end;
 }
 
-/// The numbers of vertices or of normals. A face may come before its vertices.
+/// The numbers of vertices, normals or texture coordinates. A face may come before its vertices.
 class ObjNumbers {
   public:
     /// count: of those so far. False if a negative index goes beyond the first.

@@ -24,11 +24,12 @@ bool ObjMeshes::has_room(const ObjPart& part) {
     const std::uint64_t vertices = std::min(3 * part.triangles.size(), data_.positions.size());
     const std::uint64_t colors = data_.vertex_colors.empty() ? 0 : vertices;
     const std::uint64_t normals = std::min(3 * part.normals.size(), data_.normals.size());
+    const std::uint64_t textures = std::min(3 * part.textures.size(), data_.texture_coordinates.size());
     const std::uint64_t corners =
-        2 * part.triangles.size() + (part.normals.empty() ? 0 : part.triangles.size());
+        (2 + !part.normals.empty() + !part.textures.empty()) * std::uint64_t{part.triangles.size()};
     const std::uint64_t bytes = MemoryBudget::list_bytes(corners, sizeof(TriangleCorners)) +
                                 MemoryBudget::list_bytes(vertices, sizeof(Vec3) + sizeof(std::uint32_t)) +
-                                MemoryBudget::list_bytes(colors + 2 * normals, sizeof(Float3));
+                                MemoryBudget::list_bytes(colors + 2 * (normals + textures), sizeof(Float3));
     return reading_.has_room(bytes, where_, 0);
 }
 
@@ -52,30 +53,34 @@ std::shared_ptr<const MeshData> ObjMeshes::make(ObjPart& part) {
         mesh->positions.reserve(used.size());
         for (const std::uint32_t v : used) mesh->positions.push_back(data_.positions[v]);
     }
-    add_normals(part, *mesh);
+    add_values(part.normals, data_.normals, normals_, *mesh, mesh->normals);
+    add_values(part.textures, data_.texture_coordinates, textures_, *mesh, mesh->texture_coordinates);
     add_colors(part, *mesh);
     vertices_.clear();
     normals_.clear();
-    part.triangles = part.normals = {};
+    textures_.clear();
+    part.triangles = part.normals = part.textures = {};
     return mesh;
 }
 
-void ObjMeshes::add_normals(const ObjPart& part, MeshData& mesh) {
+// part: by triangle, numbers in `all`, or k_none first for a triangle without values.
+void ObjMeshes::add_values(const CountedVector<TriangleCorners>& part, const CountedVector<Float3>& all,
+                           Used& used, const MeshData& mesh, CornerValues& values) {
     constexpr TriangleCorners none{CornerValues::k_none, CornerValues::k_none, CornerValues::k_none};
-    const auto has_normals = [](const TriangleCorners& n) { return n[0] != CornerValues::k_none; };
-    if (std::none_of(part.normals.begin(), part.normals.end(), has_normals)) return;
-    normals_.numbers.resize(data_.normals.size(), CornerValues::k_none);
-    std::vector<TriangleCorners>& corners = mesh.normals.corners;
-    corners.reserve(part.triangles.size());
-    for (const TriangleCorners& n : part.normals)
-        corners.push_back(has_normals(n) ? TriangleCorners{normals_.number_of(n[0]), normals_.number_of(n[1]),
-                                                           normals_.number_of(n[2])}
-                                         : none);
-    corners.resize(part.triangles.size(), none);
-    mesh.normals.values.reserve(normals_.order.size());
-    for (const std::uint32_t n : normals_.order) mesh.normals.values.push_back(data_.normals[n]);
-    // Files that number normals as vertices need no second list.
-    if (mesh.normals.values.size() == mesh.vertex_count() && corners == mesh.triangles) corners = {};
+    const auto has_values = [](const TriangleCorners& n) { return n[0] != CornerValues::k_none; };
+    if (std::none_of(part.begin(), part.end(), has_values)) return;
+    used.numbers.resize(all.size(), CornerValues::k_none);
+    std::vector<TriangleCorners>& corners = values.corners;
+    corners.reserve(mesh.triangles.size());
+    for (const TriangleCorners& n : part)
+        corners.push_back(
+            has_values(n) ? TriangleCorners{used.number_of(n[0]), used.number_of(n[1]), used.number_of(n[2])}
+                          : none);
+    corners.resize(mesh.triangles.size(), none);
+    values.values.reserve(used.order.size());
+    for (const std::uint32_t n : used.order) values.values.push_back(all[n]);
+    // Files that number them as vertices need no second list.
+    if (values.values.size() == mesh.vertex_count() && corners == mesh.triangles) corners = {};
 }
 
 // A triangle has colors if all of its vertices do.

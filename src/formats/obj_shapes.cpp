@@ -47,6 +47,11 @@ std::uint32_t ObjShapes::add_material(const ObjPart& part) {
     Scene& scene = reading_.scene;
     note(scene.material_texts, scene.materials.size(), found->second.place, part.material);
     scene.materials.push_back(found->second.material);
+    if (auto texture = mtl_texture(reading_, found->second.color_map, found->second.opacity_map)) {
+        scene.materials.back().texture = static_cast<std::uint32_t>(scene.textures.size());
+        note(scene.texture_texts, scene.textures.size(), found->second.place, part.material);
+        scene.textures.push_back(std::move(*texture));
+    }
     if (!text_.is_included) reading_.mesh_ambient_light = k_obj_ambient_light;
     return static_cast<std::uint32_t>(scene.materials.size() - 1);
 }

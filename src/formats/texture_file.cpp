@@ -3,12 +3,30 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/text.h"
 #include "formats/include.h"
 #include "image/texture_image.h"
 
 namespace glint {
 namespace {
+
+bool is_picture_name(std::string_view name) {
+    const auto ends_with = [&](std::string_view extension) {
+        if (name.size() < extension.size()) return false;
+        const std::string_view end = name.substr(name.size() - extension.size());
+        return std::equal(end.begin(), end.end(), extension.begin(), [](char c, char lower) {
+            return (c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c) == lower;
+        });
+    };
+    return std::any_of(std::begin(k_picture_extensions), std::end(k_picture_extensions), ends_with);
+}
+
+std::string wrong_name(const std::string& name) {
+    return fmt::format("{}: expected the name of a file that ends in {}", quoted(name),
+                       one_of(k_picture_extensions));
+}
 
 // report(what) tells what is wrong with the file.
 template <class Report>
@@ -29,6 +47,10 @@ std::shared_ptr<const TextureImage> image_of_text(LoadState& reading, const Read
 std::shared_ptr<const TextureImage> texture_image_of_file(LoadState& reading, const ReadText& from,
                                                           const Token& at, const std::string& name,
                                                           std::string& path) {
+    if (!is_picture_name(name)) {
+        reading.diagnostics.error(from.place, at.offset, at.length, wrong_name(name));
+        return nullptr;
+    }
     const auto text = open_text(reading, from, at, name);
     if (!text) return nullptr;
     return image_of_text(reading, *text, path, [&](const std::string& why) {
@@ -39,6 +61,11 @@ std::shared_ptr<const TextureImage> texture_image_of_file(LoadState& reading, co
 std::shared_ptr<const TextureImage> optional_texture_image(LoadState& reading, const ReadText& from,
                                                            const Token& at, const std::string& name,
                                                            std::string& path, std::string_view without) {
+    if (!is_picture_name(name)) {
+        reading.diagnostics.warn(from.place, at.offset, at.length,
+                                 fmt::format("{}; {}", wrong_name(name), without));
+        return nullptr;
+    }
     const auto text = open_optional_text(reading, from, at, name, without);
     if (!text) return nullptr;
     return image_of_text(reading, *text, path, [&](const std::string& why) {

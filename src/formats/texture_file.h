@@ -9,7 +9,11 @@
 
 namespace glint {
 
-/// The image of the file `name`, relative to the text `from`; a file is decoded once. path: its name in
+/// The ends of names of files that are opened as pictures, in lower case.
+inline constexpr std::string_view k_picture_extensions[] = {".png", ".jpg", ".jpeg", ".tga", ".ppm", ".pgm"};
+
+/// The image of the file `name`, relative to the text `from`; a file is decoded once, and only if its
+/// name ends as a picture's. path: its name in
 /// Scene::files. Null after an error, which is reported at `at`.
 std::shared_ptr<const TextureImage> texture_image_of_file(LoadState& reading, const ReadText& from,
                                                           const Token& at, const std::string& name,

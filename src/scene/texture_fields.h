@@ -9,7 +9,7 @@ namespace glint {
 inline constexpr std::string_view k_wrap_words[] = {"repeat", "mirror", "clamp", "once"};
 inline constexpr std::string_view k_filter_words[] = {"nearest", "bilinear"};
 inline constexpr std::string_view k_mix_words[] = {"multiply", "replace"};
-inline constexpr std::string_view k_encoding_words[] = {"srgb", "linear"};
+inline constexpr std::string_view k_encoding_words[] = {"linear", "srgb"};
 inline constexpr std::string_view k_alpha_words[] = {"blend", "mask", "ignore"};
 inline constexpr std::string_view k_mapping_words[] = {"uv", "planar", "spherical", "cylindrical"};
 

@@ -37,6 +37,77 @@ Material material(const std::string& statements) {
     return result->materials[0];
 }
 
+// A picture of 2 x 1 texels.
+const std::string k_pixels("P6 2 1 255\n\x01\x02\x03\xff\xfe\xfd", 17);
+
+Result<Scene> textured(Libraries& libraries) {
+    return load_text(
+        "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.25 0.5\nvt 1\nvt 0 1 7\nusemtl m\n"
+        "f 1/1 2/2 3/3\n",
+        "a.obj", {}, &libraries);
+}
+
+TEST(Mtl, MapsAreTextures) {
+    Libraries libraries{{"a.mtl", "newmtl m\nmap_Kd -blendu off -s 2 3 -o 0.5 -clamp on my pixels.ppm\n"},
+                        {"my pixels.ppm", k_pixels}};
+    const Result<Scene> scene = textured(libraries);
+    ASSERT_TRUE(scene) << messages(scene);
+    EXPECT_EQ(messages(scene), "");
+    ASSERT_EQ(scene->textures.size(), 1u);
+    const Texture& t = scene->textures[0];
+    EXPECT_EQ(*t.image, (TextureImage{2, 1, false, std::vector<std::uint8_t>{1, 2, 3, 255, 254, 253}}));
+    EXPECT_EQ(t.uv_map, (UvMap{{{2, 0, 0.5}, {0, 3, 0}}}));
+    EXPECT_EQ(t.wrap_u, TextureWrap::clamp);
+    EXPECT_EQ(t.encoding, TextureEncoding::linear);
+    EXPECT_EQ(t.file, "my pixels.ppm");
+    EXPECT_EQ(scene->materials[0].texture, 0u);
+    EXPECT_EQ(scene->materials[0].color, (Color{1, 1, 1}));
+    const CornerValues& places = scene->meshes[0]->texture_coordinates;
+    EXPECT_EQ(places.values, (std::vector<Float3>{{0.25F, 0.5F, 0}, {1, 0, 0}, {0, 1, 0}}));
+    EXPECT_TRUE(places.corners.empty());
+}
+
+TEST(Mtl, MapsOfOpacityAreTheAlpha) {
+    const std::string grey("P5 2 1 255\n\x00\x80", 13);
+    Libraries libraries{
+        {"a.mtl", "newmtl m\nmap_Kd c.ppm\nmap_d d.pgm\n"}, {"c.ppm", k_pixels}, {"d.pgm", grey}};
+    const Result<Scene> both = textured(libraries);
+    ASSERT_TRUE(both) << messages(both);
+    EXPECT_EQ(*both->textures.at(0).image,
+              (TextureImage{2, 1, true, std::vector<std::uint8_t>{1, 2, 3, 0, 255, 254, 253, 128}}));
+    EXPECT_TRUE(both->textures[0].has_alpha());
+    Libraries alone{{"a.mtl", "newmtl m\nmap_d d.pgm\n"}, {"d.pgm", grey}};
+    const Result<Scene> white = textured(alone);
+    ASSERT_TRUE(white) << messages(white);
+    EXPECT_EQ(*white->textures.at(0).image,
+              (TextureImage{2, 1, true, std::vector<std::uint8_t>{255, 255, 255, 0, 255, 255, 255, 128}}));
+    Libraries sizes{{"a.mtl", "newmtl m\nmap_Kd c.ppm\nmap_d d.pgm\n"},
+                    {"c.ppm", k_pixels},
+                    {"d.pgm", std::string("P5 1 1 255\n\x00", 12)}};
+    const Result<Scene> other = textured(sizes);
+    ASSERT_TRUE(other);
+    EXPECT_NE(messages(other).find("expected a picture of the size of map_Kd's"), std::string::npos);
+    EXPECT_FALSE(other->textures.at(0).has_alpha());
+}
+
+TEST(Mtl, MapsThatCannotBeReadAreWarnings) {
+    for (const auto& [line, message] : {std::pair{"map_Kd none.ppm", "no such file"},
+                                        {"map_Kd a.mtl", "expected the name of a file that ends in `.png`"},
+                                        {"map_Kd bad.png", "its surfaces are drawn without it"}}) {
+        Libraries libraries{{"a.mtl", "newmtl m\n" + std::string(line) + "\n"}, {"bad.png", "no picture"}};
+        const Result<Scene> scene = textured(libraries);
+        ASSERT_TRUE(scene) << messages(scene);
+        EXPECT_NE(messages(scene).find(message), std::string::npos) << messages(scene);
+        EXPECT_TRUE(scene->textures.empty());
+        EXPECT_EQ(scene->materials[0].texture, k_none);
+    }
+    for (const char* line : {"map_Kd", "map_Kd -s x a.png", "map_Kd -clamp", "map_d -o"}) {
+        Libraries libraries{{"a.mtl", "newmtl m\n" + std::string(line) + "\n"}};
+        const Result<Scene> scene = textured(libraries);
+        EXPECT_EQ(scene.code, ErrorCode::parse) << line;
+    }
+}
+
 TEST(Mtl, ColorsAreCoefficients) {
     const Material m = material("Ka 0.1 0.2 0.3\nKd 0.4 0.5 0.6\nKs 0.7 0.8 0.9\nNs 96\nKe 1 2 3\n");
     EXPECT_EQ(m.ambient, (Color{0.1, 0.2, 0.3}));

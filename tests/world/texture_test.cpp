@@ -196,7 +196,7 @@ TEST(Textures, LeaveSurfacesWithoutCoordinates) {
 TEST(Textures, AreWrittenAndReadBack) {
     const Scene scene = scene_of(
         "texture \"a b\" { texels = (\"00112233 ff8000ff\")  mapping = cylindrical  wrap_u = mirror  "
-        "wrap_v = once  filter = nearest  mix = replace  encoding = linear  "
+        "wrap_v = once  filter = nearest  mix = replace  encoding = srgb  "
         "uv_map = ((2, 0, 0.5), (0, -1, 1))  rotate = (30, 0, 0)  translate = (0, 0.1, 0) }\n"
         "texture deep { texels = (\"000100020003\", \"fffffffefffd\") }\n"
         "cylinder { from = (0, 0, 0)  to = (0, 1, 0)  radius = 0.5  texture = \"a b\" }\n" +
@@ -215,8 +215,9 @@ TEST(Textures, AreWrittenAndReadBack) {
 }
 
 TEST(Textures, AreExplained) {
-    const Scene scene = scene_of("texture t { texels = (\"ff0000 00ff00\", \"0000ff ffffff\") }" +
-                                 std::string(k_mesh) + "color = (0.5, 1, 1)  texture = t }");
+    const Scene scene =
+        scene_of("texture t { texels = (\"ff0000 00ff00\", \"0000ff ffffff\")  encoding = srgb }" +
+                 std::string(k_mesh) + "color = (0.5, 1, 1)  texture = t }");
     const World world = prepare(scene).value();
     int textured = 0;
     for (const int x : {13, 16, 22, 26}) {

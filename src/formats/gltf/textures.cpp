@@ -15,13 +15,7 @@
 namespace glint::gltf {
 namespace {
 
-constexpr std::string_view k_picture_extensions[] = {".png", ".jpg", ".jpeg"};
 constexpr std::string_view k_without = "its surfaces have no texture";
-
-bool is_picture_name(std::string_view name) {
-    return std::any_of(std::begin(k_picture_extensions), std::end(k_picture_extensions),
-                       [&](std::string_view extension) { return name.ends_with(extension); });
-}
 
 // The numbers of OpenGL that samplers have.
 constexpr std::uint64_t k_nearest = 9728, k_repeat = 10497, k_clamp = 33071, k_mirror = 33648;
@@ -94,8 +88,7 @@ bool Textures::read_picture(JsonValue image, Picture& picture) {
     }
     std::string why;
     const std::optional<std::string> file = file_of_uri(uri.string(), why);
-    if (!file || !is_picture_name(*file)) {
-        if (file) why = "expected the name of a file that ends in .png, .jpg or .jpeg";
+    if (!file) {
         file_.warn(uri, fmt::format("{}: {}; {}", quoted(uri.string()), why, k_without));
         return true;
     }
@@ -136,6 +129,7 @@ std::optional<TextureUse> Textures::use(JsonValue info, TextureAlpha alpha, doub
     if (!found->texels) return use;
     texture.image = found->texels;
     texture.file = found->file;
+    texture.encoding = TextureEncoding::srgb;
     texture.alpha = alpha;
     if (alpha == TextureAlpha::mask) texture.alpha_cutoff = cutoff;
     std::vector<Texture>& all = file_.reading.scene.textures;
