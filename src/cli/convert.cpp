@@ -81,7 +81,12 @@ int convert_command(ConvertArguments& arguments) {
         throw Failure(k_usage, fmt::format("OUT '{}': glint writes scenes as .glint only", path));
     const LoadedScene loaded = load_scene(arguments.scene);
     if (!arguments.quiet) print(loaded.warnings);
-    const Scene& scene = *loaded.scene;
+    const auto is_of_file = [](const Texture& texture) { return !texture.file.empty(); };
+    std::optional<Scene> renamed;  // a copy only where needed: there may be millions of shapes
+    if (!output.is_stream() &&
+        std::any_of(loaded.scene->textures.begin(), loaded.scene->textures.end(), is_of_file))
+        name_texture_files(renamed.emplace(*loaded.scene), output);
+    const Scene& scene = renamed ? *renamed : *loaded.scene;
     std::vector<SceneText> texts = loaded.texts;
     const std::vector<InputFile> included = open_included(loaded, texts);
     const std::vector<std::string> mesh_files = output.is_stream()

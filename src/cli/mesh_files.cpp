@@ -75,4 +75,10 @@ std::vector<std::string> write_mesh_files(const Scene& scene, const std::string&
     return names;
 }
 
+void name_texture_files(Scene& scene, const OutputFile& output) {
+    for (Texture& texture : scene.textures) {
+        if (!texture.file.empty()) texture.file = name_from(output.target(), texture.file);
+    }
+}
+
 }  // namespace glint::cli

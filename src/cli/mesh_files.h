@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The files of the meshes of a scene that is written.
+// The files of the meshes and textures of a scene that is written.
 #include <string>
 #include <vector>
 
@@ -18,5 +18,8 @@ std::vector<std::string> write_mesh_files(const Scene& scene, const std::string&
 
 /// The same for a text that is printed: nothing is written, and names are relative to the present folder.
 std::vector<std::string> known_mesh_files(const Scene& scene, const std::string& format);
+
+/// Makes the names of the textures' files relative to the folder of the output, too.
+void name_texture_files(Scene& scene, const OutputFile& output);
 
 }  // namespace glint::cli
