@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The scene's lights, materials and shapes as sequences."""
+"""The scene's lights, materials, textures and shapes as sequences."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import operator
 from typing import Any, Generic, List, MutableSequence, Sequence, TypeVar, Union, overload
 
 from . import _glint
-from ._glint import Light, Material, Shape
+from ._glint import Light, Material, Shape, Texture
 
 Item = TypeVar("Item")
 
@@ -101,6 +101,16 @@ class Materials(_Items[Material]):
     def append(self, value: Material) -> None:
         """Adds a material."""
         self._state.add_material(value)
+
+
+class Textures(_Items[Texture]):
+    """The scene's textures, by number or by name. Textures are added, or come with materials; none is removed."""
+
+    _what = "texture"
+
+    def append(self, value: Texture) -> None:
+        """Adds a texture."""
+        self._state.add_texture(value)
 
 
 class Shapes(_Items[Any]):

@@ -11,14 +11,14 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _accept, _glint
-from ._glint import BackgroundGradient, Camera, Fog, Light, Material, Mesh, Occlusion, Shape
+from ._glint import BackgroundGradient, Camera, Fog, Light, Material, Mesh, Occlusion, Shape, Texture
 from ._image import Image
-from ._lists import Lights, Materials, Shapes
+from ._lists import Lights, Materials, Shapes, Textures
 from ._progress import Progress, reporting
 from ._settings import Settings, to_list
 from ._values import Color, ColorLike
 
-Added = TypeVar("Added", bound=Union[Light, Material, Shape])
+Added = TypeVar("Added", bound=Union[Light, Material, Shape, Texture])
 Arrays = Any
 """Numbers as NumPy arrays or what NumPy makes arrays of."""
 
@@ -94,6 +94,11 @@ class Scene:
     def materials(self) -> Materials:
         """The materials, by number or by name."""
         return Materials(self._state)
+
+    @property
+    def textures(self) -> Textures:
+        """The textures, by number or by name: those of the materials, and those that were added."""
+        return Textures(self._state)
 
     @property
     def shapes(self) -> Shapes:
@@ -177,7 +182,7 @@ class Scene:
     def add(self, item: Any, **options: Any) -> Any: ...
 
     def add(self, item: Any, **options: Any) -> Any:
-        """Adds a shape, a light, a material or a camera, and returns it: later changes of it are seen.
+        """Adds a shape, a light, a material, a texture or a camera, and returns it: later changes of it are seen.
 
         Of other packages, ASE's atoms (see atoms()) and objects with `vertices` and `faces` (see mesh());
         these return the range of their shapes' numbers.
@@ -186,6 +191,8 @@ class Scene:
             self._state.add_light(item)
         elif isinstance(item, Material):
             self._state.add_material(item)
+        elif isinstance(item, Texture):
+            self._state.add_texture(item)
         elif isinstance(item, Shape):
             self._state.add_shape(item)
         elif isinstance(item, Camera):
@@ -257,6 +264,7 @@ class Scene:
         *,
         normals: Optional[Arrays] = None,
         colors: Any = None,
+        texture_coordinates: Optional[Arrays] = None,
         material: Optional[Material] = None,
         transform: Any = None,
         name: str = "",
@@ -265,12 +273,14 @@ class Scene:
 
         vertices: (V, 3), kept as float32 if they are that, else as float64; faces: (N, 3), the numbers of the
         vertices, counter-clockwise around the normal. normals: (V, 3), of any length, for smooth shading;
-        colors: (V, 3), linear, which are interpolated. The material's own color is used without them. A
+        colors: (V, 3), linear, which are interpolated. The material's own color is used without them.
+        texture_coordinates: (V, 2), u and v of the material's texture, interpolated; u goes to the right and v up,
+        and (0, 0) is the lower left corner of the picture. A
         mesh of which a scene has many copies is stored once: add(glint.Mesh(...)) again, or copies of it with
         other transforms.
         ValueError names the row of a number beyond 1e12, or of a face without three vertices of the list.
         """
-        mesh = Mesh(vertices, faces, normals, colors, name=name)
+        mesh = Mesh(vertices, faces, normals, colors, texture_coordinates, name=name)
         if material is not None:
             mesh.material = material
         if transform is not None:
@@ -371,7 +381,10 @@ class Scene:
         return Hits(*self._state.cast_rays(origins, directions, t_min, t_max, None))
 
     def to_glint(self) -> str:
-        """The scene in glint's own language (docs/formats/glint.md): load() makes the same picture of it."""
+        """The scene in glint's own language (docs/formats/glint.md): load() makes the same picture of it.
+
+        Textures that were read from files are written as the names of these files (Texture.file), others as texels.
+        """
         return self._state.write_glint()
 
     def copy(self) -> Scene:
@@ -388,7 +401,7 @@ class Scene:
         return self.copy()
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        return _unpickled, (self.to_glint(),)
+        return _unpickled, (self._state.write_whole_glint(),)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Scene) and self._state.equals(other._state)

@@ -279,8 +279,17 @@ def versus(scene: SceneLike, a: Mapping[str, object] = {}, b: Mapping[str, objec
 
 
 def convert(source: SceneLike, target: PathLike) -> None:
-    """Writes a scene in glint's own language to a .glint file."""
+    """Writes a scene in glint's own language to a .glint file.
+
+    The names of textures' files become relative to its folder.
+    """
     name = os.fspath(target)
     if not name.endswith(".glint"):
         raise ValueError(f"{name!r}: glint writes .glint")
-    pathlib.Path(name).write_text(to_scene(source).to_glint(), encoding="utf-8")
+    scene = to_scene(source)
+    if any(texture.file for texture in scene.textures):
+        scene = scene.copy()
+        for texture in scene.textures:
+            if texture.file and not os.path.isabs(texture.file):
+                texture.file = os.path.relpath(texture.file, os.path.dirname(name) or ".")
+    pathlib.Path(name).write_text(scene.to_glint(), encoding="utf-8")

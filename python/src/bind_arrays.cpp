@@ -84,7 +84,8 @@ Look add_look(SceneState& state, const py::object& colors, const py::object& mat
     if (array.ndim() != 2) {
         const Color one = to_color(colors, "colors", k_channel);
         const Material colored = with_color(box ? box->value : Material{}, one);
-        return {state.add(std::make_shared<MaterialBox>(MaterialBox{colored, {}}))};
+        return {
+            state.add(std::make_shared<MaterialBox>(MaterialBox{colored, {}, box ? box->texture : nullptr}))};
     }
     const auto channels = static_cast<std::size_t>(array.shape(1));
     if (static_cast<std::size_t>(array.shape(0)) != count || (channels != 3 && channels != 4))

@@ -51,6 +51,16 @@ void bind_lists(SceneClass& cls) {
              })
         .def("add_material",
              [](SceneState& s, const std::shared_ptr<MaterialBox>& material) { return s.add(material); })
+        .def("texture_count", [](SceneState& s) { return s.scene().textures.size(); })
+        .def("texture",
+             [](SceneState& s, std::size_t i) { return s.texture(checked(i, s.stored().textures.size())); })
+        .def("texture_named",
+             [](SceneState& s, const std::string& name) {
+                 const Scene& scene = s.scene();
+                 return s.texture(named(scene.texture_texts, scene.textures.size(), name, "texture"));
+             })
+        .def("add_texture",
+             [](SceneState& s, const std::shared_ptr<TextureBox>& texture) { return s.add(texture); })
         .def("shape_count", [](SceneState& s) { return s.stored().shapes.size(); })
         .def("shape",
              [](SceneState& s, std::size_t i) { return s.shape(checked(i, s.stored().shapes.size())); })
@@ -126,15 +136,17 @@ template <class Item> bool same_optional(const std::optional<Item>& a, const std
 bool equal(SceneState& a, SceneState& b) {
     const Scene &x = a.scene(), &y = b.scene();
     if (x.shapes.size() != y.shapes.size() || x.lights.size() != y.lights.size() ||
-        x.materials.size() != y.materials.size() || !(x.background == y.background) ||
-        !(x.conventions == y.conventions) || !(x.settings == y.settings) || !same(x.camera, y.camera) ||
-        !same_optional(x.fog, y.fog) || !same_optional(x.gradient, y.gradient) ||
+        x.materials.size() != y.materials.size() || x.textures.size() != y.textures.size() ||
+        !(x.background == y.background) || !(x.conventions == y.conventions) || !(x.settings == y.settings) ||
+        !same(x.camera, y.camera) || !same_optional(x.fog, y.fog) || !same_optional(x.gradient, y.gradient) ||
         !same_optional(x.occlusion, y.occlusion))
         return false;
     for (std::size_t i = 0; i < x.lights.size(); ++i)
         if (!same(x.lights[i], y.lights[i])) return false;
     for (std::size_t i = 0; i < x.materials.size(); ++i)
         if (!same(x.materials[i], y.materials[i])) return false;
+    for (std::size_t i = 0; i < x.textures.size(); ++i)
+        if (!same(x.textures[i], y.textures[i])) return false;
     for (std::uint32_t i = 0; i < x.shapes.size(); ++i) {
         const Shape &s = x.shapes[i], &t = y.shapes[i];
         const auto transform = [](const Scene& scene, const Shape& shape) {

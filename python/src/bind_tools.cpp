@@ -143,6 +143,12 @@ py::tuple explain_pixel(SceneState& state, std::int32_t x, std::int32_t y, const
     return py::make_tuple(value_or_raise(explanation_json(all, scene, style.file)), printable_lines(text));
 }
 
+std::string write_whole_glint(SceneState& state) {
+    Scene scene = state.scene();
+    for (Texture& texture : scene.textures) texture.file.clear();
+    return value_or_raise(write_glint(scene));
+}
+
 py::list check_scene(SceneState& state, const py::object& progress) {
     const auto scene = state.shared_scene();
     const std::vector<Finding> findings = value_or_raise(run(progress, [&](Running& running) {
@@ -165,6 +171,8 @@ void bind_tools(py::module_& m, py::class_<SceneState, std::shared_ptr<SceneStat
         .def("explain", &explain_pixel)
         .def("check", &check_scene)
         .def("write_glint", [](SceneState& s) { return value_or_raise(write_glint(s.scene())); })
+        .def("write_whole_glint", &write_whole_glint,
+             "As write_glint(), with the texels of textures instead of the names of files.")
         .def("validate", [](SceneState& s) { return validate(s.scene()); });
     m.def("isa_names", &isa_names, "The instruction sets that this machine has, best first.");
     m.def("formats", [] {

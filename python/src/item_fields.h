@@ -34,15 +34,13 @@ inline std::int32_t from_python(const WholeType& type, const py::handle& value, 
     if (whole == number) return whole;
     throw py::value_error(fmt::format("{}: expected {}, found {}", name, type.range.text, repr_of(value)));
 }
-/// The number of a texture of the scene, or None.
+/// Python's materials refer to an object instead: materials.cpp sets it.
 inline std::uint32_t from_python(const TextureType&, const py::handle& value, std::string_view name) {
-    constexpr Range range{0, 4294967294.0, false, false, "a whole number from 0, or None"};
-    if (value.is_none()) return k_none;
-    const double number = to_number(value, name, range);
-    const auto whole = static_cast<std::uint32_t>(number);
-    if (whole == number) return whole;
-    throw py::value_error(fmt::format("{}: expected {}, found {}", name, range.text, repr_of(value)));
+    throw py::type_error(fmt::format("{}: expected a Texture or None, found {}", name, repr_of(value)));
 }
+UvMap from_python(const UvMapType&, const py::handle& value, std::string_view name);
+/// Two tuples of three numbers.
+py::object to_python(const UvMap& map);
 template <class Choice>
 Choice from_python(const ChoiceType& type, const py::handle& value, std::string_view name) {
     const std::string word = py::isinstance<py::str>(value) ? value.cast<std::string>() : std::string();
@@ -66,7 +64,9 @@ template <class Item> py::object get_field(const ItemField<Item>& field, const I
     return std::visit(
         [&](const auto& member) -> py::object {
             const auto& value = item.*member.at;
-            if constexpr (requires { value.has_value(); }) {
+            if constexpr (requires { member.type.words; }) {
+                return py::str(std::string(member.type.words[static_cast<std::size_t>(value)]));
+            } else if constexpr (requires { value.has_value(); }) {
                 if (!value) return py::none();
                 return to_python(*value);
             } else {
@@ -90,7 +90,11 @@ template <class Item> void set_field(const ItemField<Item>& field, Item& item, c
                     return;
                 }
             }
-            to = from_python(member.type, value, field.name);
+            if constexpr (requires { member.type.words; }) {
+                to = from_python<std::remove_cvref_t<decltype(to)>>(member.type, value, field.name);
+            } else {
+                to = from_python(member.type, value, field.name);
+            }
         },
         field.member);
 }
@@ -107,8 +111,10 @@ std::string changed_fields(const Item& item, const Item& usual, const std::strin
     std::string text = name.empty() ? "" : "name=" + repr_of(py::str(name));
     for (const ItemField<Item>& field : fields_of<Item>()) {
         if (same_bits(field, item, usual) || !applies(field, item)) continue;
+        const py::object value = get_field(field, item);
+        const bool is_word = py::isinstance<py::str>(value);
         text += fmt::format("{}{}={}", text.empty() ? "" : ", ", field.name,
-                            py::str(get_field(field, item)).template cast<std::string>());
+                            is_word ? repr_of(value) : py::str(value).template cast<std::string>());
     }
     return text;
 }
@@ -120,6 +126,8 @@ template <class Item> std::string docstring(const ItemField<Item>& field) {
             const auto& t = member.type;
             if constexpr (requires { t.range; }) {
                 return fmt::format("{}: {}", t.word, t.range.text);
+            } else if constexpr (requires { t.words; }) {
+                return fmt::format("{}", fmt::join(t.words, ", "));
             } else {
                 return std::string(t.word);
             }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Lights, materials, the fog, the sky and the camera as Python objects. Their attributes are the rows of the
-// tables of fields (src/scene/*_fields.h).
+// Lights, materials, textures, the fog, the sky and the camera as Python objects. Their attributes are the
+// rows of the tables of fields (src/scene/*_fields.h).
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -19,11 +19,20 @@ template <class Item> struct SharedItem {
 };
 
 using LightBox = SharedItem<Light>;
-using MaterialBox = SharedItem<Material>;
+using TextureBox = SharedItem<Texture>;
 using FrameBox = SharedItem<CameraFrame>;
 using FogBox = SharedItem<Fog>;
 using OcclusionBox = SharedItem<Occlusion>;
 using GradientBox = SharedItem<BackgroundGradient>;
+
+/// A texture has another number in each scene, so Python's materials refer to the object.
+struct MaterialBox {
+    Material value;  ///< without its texture
+    std::string name;
+    std::shared_ptr<TextureBox> texture = {};  ///< null: none
+};
+/// A copy with a texture of its own, which shares the image.
+std::shared_ptr<MaterialBox> deep_copy(const MaterialBox& material);
 
 struct CameraBox {
     Camera value;  ///< without its frame
@@ -38,12 +47,17 @@ struct CameraBox {
 
 bool same(const Light& a, const Light& b);
 bool same(const Material& a, const Material& b);
+/// With their names and textures.
+bool same(const MaterialBox& a, const MaterialBox& b);
+/// Wherever the images are from.
+bool same(const Texture& a, const Texture& b);
 bool same(const Camera& a, const Camera& b);
 bool same(const Fog& a, const Fog& b);
 bool same(const Occlusion& a, const Occlusion& b);
 bool same(const BackgroundGradient& a, const BackgroundGradient& b);
 
 void bind_lights(py::module_& m);
+void bind_textures(py::module_& m);
 void bind_materials(py::module_& m);
 void bind_fog(py::module_& m);
 /// Occlusion and BackgroundGradient.

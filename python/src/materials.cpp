@@ -23,8 +23,14 @@ void set_field(const ItemField<Material>& field, Material& material, const py::h
 
 namespace {
 
+std::shared_ptr<TextureBox> to_texture(const py::handle& value) {
+    if (value.is_none()) return nullptr;
+    if (py::isinstance<TextureBox>(value)) return value.cast<std::shared_ptr<TextureBox>>();
+    throw py::type_error("texture: expected a Texture or None, found " + repr_of(value));
+}
+
 Material make_material(const py::kwargs& keywords) {
-    static constexpr std::string_view others[] = {"name"};
+    static constexpr std::string_view others[] = {"name", "texture"};
     Material material;
     // The color first: the coefficients are factors of it.
     if (keywords.contains("color"))
@@ -36,6 +42,17 @@ Material make_material(const py::kwargs& keywords) {
 }  // namespace
 
 bool same(const Material& a, const Material& b) { return same_fields(a, b); }
+bool same(const MaterialBox& a, const MaterialBox& b) {
+    if (a.name != b.name || !same(a.value, b.value)) return false;
+    if (!a.texture || !b.texture) return a.texture == b.texture;
+    return a.texture->name == b.texture->name && same(a.texture->value, b.texture->value);
+}
+
+std::shared_ptr<MaterialBox> deep_copy(const MaterialBox& material) {
+    auto copy = std::make_shared<MaterialBox>(material);
+    if (copy->texture) copy->texture = std::make_shared<TextureBox>(*copy->texture);
+    return copy;
+}
 
 void bind_materials(py::module_& m) {
     py::class_<MaterialBox, std::shared_ptr<MaterialBox>> cls(
@@ -44,20 +61,32 @@ void bind_materials(py::module_& m) {
         "Material(color=(1, 0, "
         "0), specular=0.5). Three numbers are the coefficient itself. Setting `color` keeps the factors.");
     cls.def(py::init([](const py::kwargs& keywords) {
-        return std::make_shared<MaterialBox>(MaterialBox{make_material(keywords), name_in(keywords)});
+        auto box = std::make_shared<MaterialBox>(MaterialBox{make_material(keywords), name_in(keywords)});
+        if (keywords.contains("texture")) box->texture = to_texture(keywords["texture"]);
+        return box;
     }));
     bind_fields<Material>(cls, &MaterialBox::value);
+    cls.def_property(
+        "texture", [](const MaterialBox& box) { return box.texture; },
+        [](MaterialBox& box, const py::object& texture) { box.texture = to_texture(texture); },
+        "The Texture that changes the color from point to point, or None. It is added to the scenes that "
+        "have the material.");
     cls.def_readwrite("name", &MaterialBox::name, "For scene.materials[name]; may be empty.")
         .def("__eq__",
              [](const MaterialBox& a, const py::object& other) {
-                 if (!py::isinstance<MaterialBox>(other)) return false;
-                 const auto& b = other.cast<const MaterialBox&>();
-                 return a.name == b.name && same(a.value, b.value);
+                 return py::isinstance<MaterialBox>(other) && same(a, other.cast<const MaterialBox&>());
              })
-        .def("__repr__", [](const MaterialBox& box) {
-            return fmt::format("Material({})", changed_fields(box.value, Material{}, box.name));
-        });
-    bind_copies<decltype(cls), MaterialBox>(cls, [](const MaterialBox& box) { return box; });
+        .def("__repr__",
+             [](const MaterialBox& box) {
+                 std::string text = changed_fields(box.value, Material{}, box.name);
+                 if (box.texture)
+                     text += (text.empty() ? "" : ", ") + ("texture=" + repr_of(py::cast(box.texture)));
+                 return fmt::format("Material({})", text);
+             })
+        .def("__copy__", [](const MaterialBox& box) { return std::make_shared<MaterialBox>(box); })
+        .def(
+            "__deepcopy__", [](const MaterialBox& box, const py::dict&) { return deep_copy(box); },
+            py::arg("memo"));
     cls.attr("__hash__") = py::none();
 }
 

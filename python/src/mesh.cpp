@@ -13,17 +13,17 @@ namespace {
 
 template <class T> using Rows = py::array_t<T, py::array::c_style | py::array::forcecast>;
 
-// An array of N x 3 numbers. The error names the argument.
-template <class T> Rows<T> to_rows(const py::object& value, const char* name) {
+// An array with rows of three numbers, or as many as `columns` says. The error names the argument.
+template <class T> Rows<T> to_rows(const py::object& value, const char* name, py::ssize_t columns = 3) {
     Rows<T> rows = Rows<T>::ensure(value);
     if (!rows) {
         PyErr_Clear();
-        throw py::type_error(fmt::format("{}: expected an array of N x 3 numbers", name));
+        throw py::type_error(fmt::format("{}: expected an array of N x {} numbers", name, columns));
     }
-    if (rows.ndim() != 2 || rows.shape(1) != 3) {
+    if (rows.ndim() != 2 || rows.shape(1) != columns) {
         throw py::value_error(
-            fmt::format("{}: expected an array of N x 3 numbers, found {} dimensions{}", name, rows.ndim(),
-                        rows.ndim() == 2 ? fmt::format(", {} columns", rows.shape(1)) : ""));
+            fmt::format("{}: expected an array of N x {} numbers, found {} dimensions{}", name, columns,
+                        rows.ndim(), rows.ndim() == 2 ? fmt::format(", {} columns", rows.shape(1)) : ""));
     }
     return rows;
 }
@@ -44,8 +44,8 @@ template <class T, class Item> std::vector<Item> items_of(const Rows<T>& rows) {
 template <class T> void check_numbers(const Rows<T>& rows, const char* name) {
     for (py::ssize_t i = 0; i < rows.size(); ++i) {
         if (const double x = rows.data()[i]; !k_coordinate.contains(x))
-            throw py::value_error(
-                fmt::format("{}: row {}: expected {}, found {}", name, i / 3, k_coordinate.text, x));
+            throw py::value_error(fmt::format("{}: row {}: expected {}, found {}", name, i / rows.shape(1),
+                                              k_coordinate.text, x));
     }
 }
 
@@ -89,17 +89,35 @@ std::vector<TriangleCorners> triangles_in(const py::object& value, std::size_t v
     return triangles_of<double>(value, vertices);
 }
 
+void check_count(const CornerValues& of, const char* name, std::size_t vertices) {
+    if (of.values.size() == vertices) return;
+    throw py::value_error(
+        fmt::format("{}: expected {}, one for each vertex, found {}", name, vertices, of.values.size()));
+}
+
 void set_values(CornerValues& to, const py::object& rows, const char* name, std::size_t vertices) {
     if (rows.is_none()) return;
     to.values = checked_items<float, Float3>(rows, name);
-    if (to.values.size() != vertices) {
-        throw py::value_error(
-            fmt::format("{}: expected {}, one for each vertex, found {}", name, vertices, to.values.size()));
+    check_count(to, name, vertices);
+}
+
+void set_texture_coordinates(CornerValues& to, const py::object& value, std::size_t vertices) {
+    constexpr auto name = "texture_coordinates";
+    if (value.is_none()) return;
+    const Rows<float> rows = to_rows<float>(value, name, 2);
+    check_numbers(rows, name);
+    to.values.resize(static_cast<std::size_t>(rows.shape(0)));
+    const float* from = rows.data();
+    for (Float3& uv : to.values) {
+        uv = {from[0], from[1], 0};
+        from += 2;
     }
+    check_count(to, name, vertices);
 }
 
 std::shared_ptr<const MeshData> make_data(const py::object& vertices, const py::object& triangles,
-                                          const py::object& normals, const py::object& colors) {
+                                          const py::object& normals, const py::object& colors,
+                                          const py::object& texture_coordinates) {
     auto data = std::make_shared<MeshData>();
     if (is_array_of<float>(vertices)) {
         data->single_positions = checked_items<float, Float3>(vertices, "vertices");
@@ -109,15 +127,18 @@ std::shared_ptr<const MeshData> make_data(const py::object& vertices, const py::
     data->triangles = triangles_in(triangles, data->vertex_count());
     set_values(data->normals, normals, "normals", data->vertex_count());
     set_values(data->colors, colors, "colors", data->vertex_count());
+    set_texture_coordinates(data->texture_coordinates, texture_coordinates, data->vertex_count());
     return data;
 }
 
-// A read-only view of a list, which keeps the data alive.
+// A read-only view of the first numbers of each item of a list, which keeps the data alive.
 template <class T, class Item>
-py::object rows_of(const std::vector<Item>& items, const std::shared_ptr<const MeshData>& data) {
+py::object rows_of(const std::vector<Item>& items, const std::shared_ptr<const MeshData>& data,
+                   py::ssize_t columns = 3) {
     const py::capsule owner(new std::shared_ptr<const MeshData>(data),
                             [](void* held) { delete static_cast<std::shared_ptr<const MeshData>*>(held); });
-    py::array_t<T> rows({static_cast<py::ssize_t>(items.size()), py::ssize_t{3}},
+    py::array_t<T> rows({static_cast<py::ssize_t>(items.size()), columns},
+                        {static_cast<py::ssize_t>(sizeof(Item)), static_cast<py::ssize_t>(sizeof(T))},
                         reinterpret_cast<const T*>(items.data()), owner);
     rows.attr("flags").attr("writeable") = false;
     return rows;
@@ -161,20 +182,20 @@ bool MeshBox::same(const ShapeBox& other) const {
 void bind_mesh(py::module_& m) {
     py::class_<MeshBox, ShapeBox, std::shared_ptr<MeshBox>>(
         m, "Mesh",
-        "Mesh(vertices, triangles, normals=None, colors=None): triangles with common vertices. The data does "
-        "not change; "
-        "copies of a mesh share it.")
+        "Mesh(vertices, triangles, normals=None, colors=None, texture_coordinates=None): triangles with "
+        "common vertices. The data does not change; copies of a mesh share it.")
         .def(py::init([](const py::object& vertices, const py::object& triangles, const py::object& normals,
-                         const py::object& colors, const py::kwargs& keywords) {
+                         const py::object& colors, const py::object& texture_coordinates,
+                         const py::kwargs& keywords) {
                  auto shape = std::make_shared<MeshBox>();
-                 shape->data = make_data(vertices, triangles, normals, colors);
+                 shape->data = make_data(vertices, triangles, normals, colors, texture_coordinates);
                  for (const auto& [key, value] : keywords)
                      if (!set_common(*shape, py::str(key), value))
                          throw py::type_error("mesh has no attribute " + py::repr(key).cast<std::string>());
                  return shape;
              }),
              py::arg("vertices"), py::arg("triangles"), py::arg("normals") = py::none(),
-             py::arg("colors") = py::none())
+             py::arg("colors") = py::none(), py::arg("texture_coordinates") = py::none())
         .def_property_readonly(
             "vertices",
             [](const MeshBox& mesh) -> py::object {
@@ -198,7 +219,16 @@ void bind_mesh(py::module_& m) {
             [](const MeshBox& mesh) -> py::object { return values_of(mesh.data->colors, mesh.data); },
             "Linear colors, as an N x 3 array of float32, which are interpolated and replace the color of "
             "the "
-            "shape; one for each vertex, as the normals; None: the triangles have the shape's color");
+            "shape; one for each vertex, as the normals; None: the triangles have the shape's color")
+        .def_property_readonly(
+            "texture_coordinates",
+            [](const MeshBox& mesh) -> py::object {
+                const CornerValues& of = mesh.data->texture_coordinates;
+                return of.empty() ? py::none() : rows_of<float>(of.values, mesh.data, 2);
+            },
+            "u (to the right) and v (up) of textures, as an N x 2 array of float32; (0, 0) is the lower left "
+            "corner of the picture; one for each vertex, as the normals; None: textures with mapping 'uv' "
+            "do not show");
 }
 
 }  // namespace glint::python

@@ -13,6 +13,7 @@ PYBIND11_MODULE(_glint, m) {
     m.attr("version") = GLINT_VERSION;
     bind_errors(m);
     bind_lights(m);
+    bind_textures(m);
     bind_materials(m);
     bind_cameras(m);
     bind_fog(m);

@@ -59,13 +59,13 @@ Snapshot SceneState::prepare(const SettingList& overrides, const py::object& pro
     const Versions now = now_, old = world_versions_;
     const std::uint64_t edits = edits_;
     const auto is_same = [](const Versions& a, const Versions& b) {
-        return a.shapes == b.shapes && a.materials == b.materials && a.lights == b.lights &&
-               a.camera == b.camera && a.background == b.background && a.fog == b.fog &&
-               a.gradient == b.gradient && a.occlusion == b.occlusion && a.rules == b.rules;
+        return a.shapes == b.shapes && a.textures == b.textures && a.materials == b.materials &&
+               a.lights == b.lights && a.camera == b.camera && a.background == b.background &&
+               a.fog == b.fog && a.gradient == b.gradient && a.occlusion == b.occlusion && a.rules == b.rules;
     };
     World world = world_;
     if (!has_world_ || !is_same(now, old) || !shapes.empty()) {
-        const bool has_world = has_world_ && old.shapes == now.shapes;
+        const bool has_world = has_world_ && old.shapes == now.shapes && old.textures == now.textures;
         // Without a second owner shapes are edited in place.
         has_world_ = false;
         world_ = {};

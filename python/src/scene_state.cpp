@@ -39,8 +39,10 @@ void SceneState::reset(Scene scene) {
     scene_ = std::make_shared<Scene>(std::move(scene));
     lights_.clear();
     materials_.clear();
+    textures_.clear();
     shapes_.clear();
     material_indices_.clear();
+    texture_indices_.clear();
     camera_ = std::make_shared<CameraBox>();
     camera_->value = scene_->camera;
     if (scene_->camera.frame) {
@@ -87,9 +89,22 @@ std::shared_ptr<MaterialBox> SceneState::material(std::uint32_t index) {
     if (!material) {
         material = std::make_shared<MaterialBox>(
             MaterialBox{scene_->materials[index], std::string(scene_->material_texts.name(index))});
+        std::uint32_t& shown = material->value.texture;
+        if (shown != k_none) material->texture = texture(shown);
+        shown = k_none;
         material_indices_[material.get()] = index;
     }
     return material;
+}
+
+std::shared_ptr<TextureBox> SceneState::texture(std::uint32_t index) {
+    auto& texture = textures_[index];
+    if (!texture) {
+        texture = std::make_shared<TextureBox>(
+            TextureBox{scene_->textures[index], std::string(scene_->texture_texts.name(index))});
+        texture_indices_[texture.get()] = index;
+    }
+    return texture;
 }
 
 std::shared_ptr<ShapeBox> SceneState::shape(std::uint32_t index) {
@@ -122,14 +137,37 @@ std::uint32_t SceneState::index_of(const std::shared_ptr<MaterialBox>& material)
     if (!material) return k_none;
     const auto found = material_indices_.find(material.get());
     if (found != material_indices_.end()) return found->second;
+    const Material value = whole(*material);
     Scene& scene = own();
     const auto index = static_cast<std::uint32_t>(scene.materials.size());
-    scene.materials.push_back(material->value);
+    scene.materials.push_back(value);
     set_name(scene.material_texts, index, material->name);
     materials_[index] = material;
     material_indices_[material.get()] = index;
     ++now_.materials;
     return index;
+}
+
+std::uint32_t SceneState::add(const std::shared_ptr<TextureBox>& texture) { return index_of(texture); }
+
+std::uint32_t SceneState::index_of(const std::shared_ptr<TextureBox>& texture) {
+    if (!texture) return k_none;
+    const auto found = texture_indices_.find(texture.get());
+    if (found != texture_indices_.end()) return found->second;
+    Scene& scene = own();
+    const auto index = static_cast<std::uint32_t>(scene.textures.size());
+    scene.textures.push_back(texture->value);
+    set_name(scene.texture_texts, index, texture->name);
+    textures_[index] = texture;
+    texture_indices_[texture.get()] = index;
+    ++now_.textures;
+    return index;
+}
+
+Material SceneState::whole(const MaterialBox& material) {
+    Material value = material.value;
+    value.texture = index_of(material.texture);
+    return value;
 }
 
 std::uint32_t SceneState::add(const std::shared_ptr<ShapeBox>& shape) {

@@ -27,8 +27,8 @@ void apply(const SettingList& settings, Scene& scene);
 
 /// The parts of a World that can be replaced on their own.
 struct Versions {
-    std::uint64_t shapes = 0, materials = 0, lights = 0, camera = 0, background = 0, fog = 0, gradient = 0,
-                  occlusion = 0, rules = 0;
+    std::uint64_t shapes = 0, textures = 0, materials = 0, lights = 0, camera = 0, background = 0, fog = 0,
+                  gradient = 0, occlusion = 0, rules = 0;
 };
 
 /// A scene and its World at one moment. Later changes of the SceneState do not reach it, so it can be used
@@ -59,6 +59,7 @@ class SceneState {
     // Objects of the scene; the same one each time.
     std::shared_ptr<LightBox> light(std::uint32_t index);
     std::shared_ptr<MaterialBox> material(std::uint32_t index);
+    std::shared_ptr<TextureBox> texture(std::uint32_t index);
     std::shared_ptr<ShapeBox> shape(std::uint32_t index);
     std::shared_ptr<CameraBox> camera() { return camera_; }
     void set_camera(std::shared_ptr<CameraBox> camera) { camera_ = std::move(camera); }
@@ -72,6 +73,8 @@ class SceneState {
     std::uint32_t add(const std::shared_ptr<LightBox>& light);
     /// The material's index; it is added if the scene does not have it.
     std::uint32_t add(const std::shared_ptr<MaterialBox>& material);
+    /// Likewise.
+    std::uint32_t add(const std::shared_ptr<TextureBox>& texture);
     std::uint32_t add(const std::shared_ptr<ShapeBox>& shape);
     void set_lights(const std::vector<std::shared_ptr<LightBox>>& lights);
     void set_material(std::uint32_t index, const std::shared_ptr<MaterialBox>& material);
@@ -97,17 +100,23 @@ class SceneState {
     Scene& own();  ///< for writing: a copy, if a snapshot has it
     void sync();
     void sync_materials();
+    void sync_textures();
     void sync_lights();
     void sync_shapes();
     std::uint32_t index_of(const std::shared_ptr<MaterialBox>& material);
+    std::uint32_t index_of(const std::shared_ptr<TextureBox>& texture);
+    /// With the number of its texture, which is added if the scene does not have it.
+    Material whole(const MaterialBox& material);
     void write_transform(Shape& shape, const ShapeBox& box);
 
     std::shared_ptr<Scene> scene_;
     // By index; only those that Python has asked for.
     std::unordered_map<std::uint32_t, std::shared_ptr<LightBox>> lights_;
     std::unordered_map<std::uint32_t, std::shared_ptr<MaterialBox>> materials_;
+    std::unordered_map<std::uint32_t, std::shared_ptr<TextureBox>> textures_;
     std::unordered_map<std::uint32_t, std::shared_ptr<ShapeBox>> shapes_;
     std::unordered_map<const MaterialBox*, std::uint32_t> material_indices_;
+    std::unordered_map<const TextureBox*, std::uint32_t> texture_indices_;
     std::shared_ptr<CameraBox> camera_;
     std::shared_ptr<FogBox> fog_;
     std::shared_ptr<GradientBox> gradient_;

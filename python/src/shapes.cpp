@@ -186,7 +186,7 @@ std::string describe(const ShapeBox& shape, const std::string& class_name) {
 
 bool same_material(const std::shared_ptr<MaterialBox>& a, const std::shared_ptr<MaterialBox>& b) {
     if (!a || !b) return a == b;
-    return a->name == b->name && same(a->value, b->value);
+    return same(*a, *b);
 }
 
 }  // namespace
@@ -262,7 +262,7 @@ void bind_shapes(py::module_& m) {
             "__deepcopy__",
             [](const ShapeBox& s, const py::dict&) {
                 auto copy = s.copy();
-                if (copy->material) copy->material = std::make_shared<MaterialBox>(*copy->material);
+                if (copy->material) copy->material = deep_copy(*copy->material);
                 return copy;
             },
             py::arg("memo"));

@@ -16,6 +16,13 @@ const Affine& transform_of(const Scene& scene, const Shape& shape) {
 template <class Map> void forget_unused(Map& objects) {
     std::erase_if(objects, [](const auto& entry) { return entry.second.use_count() == 1; });
 }
+template <class Map, class Indices> void forget_unused(Map& objects, Indices& indices) {
+    std::erase_if(objects, [&](const auto& entry) {
+        const bool unused = entry.second.use_count() == 1;
+        if (unused) indices.erase(entry.second.get());
+        return unused;
+    });
+}
 
 }  // namespace
 
@@ -42,16 +49,26 @@ void SceneState::sync_materials() {
     bool changed = false;
     for (const auto& [index, box] : materials_) {
         if (scene_->material_texts.name(index) != box->name) set_name(own().material_texts, index, box->name);
-        if (same(scene_->materials[index], box->value)) continue;
-        own().materials[index] = box->value;
+        const Material value = whole(*box);
+        if (same(scene_->materials[index], value)) continue;
+        own().materials[index] = value;
         changed = true;
     }
     if (changed) ++now_.materials;
-    std::erase_if(materials_, [&](const auto& entry) {
-        const bool unused = entry.second.use_count() == 1;
-        if (unused) material_indices_.erase(entry.second.get());
-        return unused;
-    });
+    forget_unused(materials_, material_indices_);
+}
+
+void SceneState::sync_textures() {
+    bool changed = false;
+    for (const auto& [index, box] : textures_) {
+        if (scene_->texture_texts.name(index) != box->name) set_name(own().texture_texts, index, box->name);
+        if (scene_->textures[index].file != box->value.file) own().textures[index].file = box->value.file;
+        if (same(scene_->textures[index], box->value)) continue;
+        own().textures[index] = box->value;
+        changed = true;
+    }
+    if (changed) ++now_.textures;
+    forget_unused(textures_, texture_indices_);
 }
 
 void SceneState::sync_lights() {
@@ -86,8 +103,9 @@ void SceneState::sync_shapes() {
 }
 
 void SceneState::sync() {
-    sync_shapes();  // first: it may add materials
-    sync_materials();
+    sync_shapes();     // first: it may add materials
+    sync_materials();  // may add textures
+    sync_textures();
     sync_lights();
     if (!same(camera_->whole(), scene_->camera)) {
         own().camera = camera_->whole();

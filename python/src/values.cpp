@@ -149,7 +149,7 @@ Affine to_affine(const py::handle& value, std::string_view name) {
     if (!matrix) PyErr_Clear();
     if (!matrix || matrix.ndim() != 2 || (matrix.shape(0) != 3 && matrix.shape(0) != 4) ||
         matrix.shape(1) != 4)
-        fail(name, "a matrix of 3x4 or 4x4 numbers, world_from_object", value);
+        fail(name, "a matrix of 3x4 or 4x4 numbers", value);
     if (matrix.shape(0) == 4) {
         for (int i = 0; i < 4; ++i)
             if (matrix.at(3, i) != (i == 3 ? 1 : 0)) fail(name, "a last row of 0, 0, 0, 1", value);
