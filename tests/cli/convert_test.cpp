@@ -75,6 +75,26 @@ std::string mesh_text(int strips) {
     return fmt::format("mesh {{ vertices = ({})  triangles = ({}) }}\n", vertices, triangles);
 }
 
+TEST(Convert, KeepsPicturesOfTextures) {
+    const Folder folder;
+    std::filesystem::create_directory(folder.path("parts"));
+    folder.write("wood.ppm", std::string("P6 2 1 255\n\x01\x02\x03\xff\xfe\xfd", 17));
+    folder.write("a.glint",
+                 "camera { position = (0, 2, 8)  look_at = (0, 0, 0) }\n"
+                 "light { type = ambient }\n"
+                 "texture wood { file = \"wood.ppm\"  mapping = planar }\n"
+                 "sphere { center = (0, 0, 0)  radius = 2  texture = wood }\n");
+    ASSERT_EQ(run(folder, {"convert", "a.glint", "parts/b.glint"}).code, 0);
+    EXPECT_TRUE(contains(folder.read("parts/b.glint"), "file = \"../wood.ppm\""))
+        << folder.read("parts/b.glint");
+    ASSERT_EQ(run(folder, {"convert", "parts/b.glint", "c.glint"}).code, 0);
+    EXPECT_TRUE(contains(folder.read("c.glint"), "file = \"wood.ppm\""));
+    for (const char* scene : {"a.glint", "parts/b.glint", "c.glint"}) {
+        ASSERT_EQ(run(folder, {"render", scene, "-s", "60x30", "-o", std::string(scene) + ".ppm"}).code, 0);
+        EXPECT_EQ(folder.read(std::string(scene) + ".ppm"), folder.read("a.glint.ppm")) << scene;
+    }
+}
+
 TEST(Convert, WritesLargeMeshesBesideTheScene) {
     const Folder folder;
     std::filesystem::create_directory(folder.path("parts"));

@@ -251,6 +251,24 @@ TEST(Misuse, OfVectors) {
     EXPECT_FALSE(cross(odd, Vec3{}) == Vec3{});  // NaN
 }
 
+TEST(Misuse, TexturesWithoutImages) {
+    Texture texture;
+    texture.alpha = static_cast<TextureAlpha>(77);
+    EXPECT_FALSE(texture.has_alpha()) << "it has no image";
+    EXPECT_EQ(texture.opacity(std::nan("")), 1);
+    EXPECT_EQ(TextureImage{}.channels(), 3u);
+    Scene scene = some_scene();
+    texture.wrap_u = static_cast<TextureWrap>(9);
+    scene.textures.push_back(texture);
+    EXPECT_FALSE(prepare(scene));
+    EXPECT_EQ(to_string(texture.wrap_u), "unknown");
+    EXPECT_EQ(to_string(texture.alpha), "unknown");
+    EXPECT_EQ(to_string(static_cast<TextureFilter>(9)), "unknown");
+    EXPECT_EQ(to_string(static_cast<TextureMix>(9)), "unknown");
+    EXPECT_EQ(to_string(static_cast<TextureEncoding>(9)), "unknown");
+    EXPECT_EQ(to_string(static_cast<TextureMapping>(9)), "unknown");
+}
+
 TEST(Misuse, MeshesWithoutTheVerticesOfTheirTriangles) {
     MeshData mesh;
     EXPECT_EQ(mesh.vertex_count(), 0u);
