@@ -65,6 +65,11 @@ constexpr CheckKind k_kinds[] = {
     {"glass-without-refraction", "glass has the index of refraction of air"},
     {"material-invisible", "a transparent material shows nothing"},
     {"finish-unused", "a field of a finish has no effect"},
+    {"texture-unused", "no material has a texture"},
+    {"texture-without-coordinates", "a texture needs texture coordinates that its shapes do not have"},
+    {"texture-out-of-reach", "a texture that is drawn once is on no surface"},
+    {"texture-invisible", "by its alpha, no texel of a texture is visible"},
+    {"texture-too-fine", "a texture is so fine that it is noise"},
     {"fog-hides-everything", "no shape is visible through the fog"},
     {"fog-not-visible", "the fog changes no pixel"},
     {"picture-black", "the whole picture is black"},
@@ -98,7 +103,7 @@ class Steps {
 
 Result<std::vector<Finding>> run_checks(const Scene& scene, const World& world, const CheckOptions& options) {
     CheckContext context(scene, world, options);
-    Steps steps(options, 9);
+    Steps steps(options, 10);
     std::optional<VisibleHits> visible;
     steps.run([&] { visible.emplace(context); });
     bool sees = false;
@@ -119,6 +124,7 @@ Result<std::vector<Finding>> run_checks(const Scene& scene, const World& world, 
     steps.run([&] { check_meshes(context); });
     steps.run([&] { check_vectors(context); });
     steps.run([&] { check_materials(context, sees); });
+    steps.run([&] { check_textures(context, *visible, sees); });
     run_if_seen([&] { check_picture(context, *visible); });
     if (steps.is_cancelled()) return cancelled();
     return context.take();

@@ -38,6 +38,9 @@ void check_meshes(CheckContext& context);
 void check_vectors(CheckContext& context);
 /// Unused materials, and unusual values of materials. sees: the camera sees shapes.
 void check_materials(CheckContext& context, bool sees);
+/// Textures that nothing uses or shows, and those that are so fine that they are noise. sees: the camera sees
+/// shapes.
+void check_textures(CheckContext& context, const VisibleHits& visible, bool sees);
 /// Fog that hides everything, and fog that is not visible. False if it hides everything: the other findings
 /// about the picture would then be useless.
 bool check_fog(CheckContext& context);

@@ -227,6 +227,10 @@ std::string CheckContext::material(std::uint32_t i) const {
                : item("material", i, scene_.material_texts.name(i)) + line_of(scene_.material_texts.place(i));
 }
 
+std::string CheckContext::texture(std::uint32_t i) const {
+    return item("texture", i, scene_.texture_texts.name(i)) + line_of(scene_.texture_texts.place(i));
+}
+
 std::string CheckContext::some_shapes(const std::vector<std::uint32_t>& shapes) const {
     std::string text;
     const std::size_t most = is_model() ? k_max_named_of_model : k_max_named;

@@ -80,6 +80,9 @@ class CheckContext {
         if (i >= scene_.materials.size()) return {};
         return {scene_.material_texts.place(i), SceneItem::material, i};
     }
+    FindingPlace at_texture(std::uint32_t i) const {
+        return {scene_.texture_texts.place(i), SceneItem::texture, i};
+    }
     FindingPlace at_shape(std::uint32_t i) const {
         return {scene_.shape_texts.place(i), SceneItem::shape, i};
     }
@@ -93,6 +96,7 @@ class CheckContext {
     std::string light(std::uint32_t index) const;
     std::string light_and_line(std::uint32_t index) const;
     std::string material(std::uint32_t index) const;
+    std::string texture(std::uint32_t index) const;
 
     /// The first few of a list: "sphere 1 (line 3), sphere 2 (line 4) and 98 more".
     std::string some_shapes(const std::vector<std::uint32_t>& shapes) const;

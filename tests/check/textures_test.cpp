@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// Mistakes of textures, planted, and what is none.
+#include "check/check_text.h"
+
+namespace glint::test {
+namespace {
+
+constexpr std::string_view k_texels = "texels = (\"202020 e0e0e0\", \"e0e0e0 202020\")  ";
+
+std::string texture(const std::string& keys) {
+    return "texture checks { " + std::string(k_texels) + keys + " }\n";
+}
+const std::string k_ball = "sphere { center = (0, 1, 2)  radius = 0.4  texture = checks }\n";
+
+// A square with these texture coordinates at its corners.
+std::string square(const std::string& coordinates) {
+    return "mesh { vertices = ((-0.4, 0.8, 2), (0.4, 0.8, 2), (0.4, 1.6, 2), (-0.4, 1.6, 2))  "
+           "triangles = ((0, 1, 2), (0, 2, 3))  " +
+           (coordinates.empty() ? "" : "texture_coordinates = (" + coordinates + ")  ") +
+           "material = painted }\n";
+}
+const std::string k_painted = "material painted { texture = checks }\n";
+const std::string k_whole = "(0, 0), (1, 0), (1, 1), (0, 1)";
+
+TEST(CheckTextures, SayNothingOfSoundOnes) {
+    for (const std::string_view mapping : {"planar", "spherical", "cylindrical"})
+        for (const std::string_view wrap : {"repeat", "mirror", "clamp", "once"})
+            EXPECT_EQ(ids_of(k_clean +
+                             texture(fmt::format("mapping = {}  wrap_u = {}  wrap_v = {}  translate = "
+                                                 "(0, 0.8, 2)",
+                                                 mapping, wrap, wrap)) +
+                             k_ball),
+                      "")
+                << mapping << wrap;
+    EXPECT_EQ(ids_of(k_clean + texture("") + k_painted + square(k_whole)), "");
+}
+
+TEST(CheckTextures, Unused) {
+    EXPECT_EQ(ids_of(k_clean + texture("")), "texture-unused@7");
+    EXPECT_TRUE(has(only_message(k_clean + texture("")), "no material has texture 'checks'"));
+}
+
+TEST(CheckTextures, ShapesWithoutCoordinates) {
+    EXPECT_EQ(ids_of(k_clean + texture("") + k_ball), "texture-without-coordinates@8");
+    EXPECT_EQ(ids_of(k_clean + texture("") + k_painted + square("")), "texture-without-coordinates@8");
+    const std::string one = only_message(k_clean + texture("") + k_painted + square(""));
+    EXPECT_TRUE(has(one,
+                    "material 'painted' (line 8) has texture 'checks' (line 7), which is placed by the "
+                    "texture coordinates of meshes, and the only shape that has it, mesh 4 (line 9), "
+                    "has none"))
+        << one;
+    const std::string two =
+        only_message(k_clean + texture("") + k_painted + square(k_whole) +
+                     "sphere { center = (0, 2, 2)  radius = 0.2  material = painted }\n"
+                     "box { min = (-0.6, 2, 2)  max = (-0.3, 2.3, 2.3)  material = painted }\n");
+    EXPECT_TRUE(has(two, "2 of the 3 shapes that have it have none: sphere 5 (line 10) and box 6 (line 11)"))
+        << two;
+}
+
+TEST(CheckTextures, OutOfReach) {
+    const auto planar = [](std::string_view keys) {
+        return ids_of(k_clean + texture("mapping = planar  " + std::string(keys)) + k_ball);
+    };
+    EXPECT_EQ(planar("wrap_u = once  translate = (0.5, 0, 0)"), "texture-out-of-reach@7");
+    EXPECT_EQ(planar("wrap_v = once  uv_map = ((1, 0, 0), (0, 1, 3))"), "texture-out-of-reach@7");
+    EXPECT_EQ(planar("wrap_v = once  translate = (0.5, 0, 0)"), "");
+    EXPECT_EQ(planar("wrap_u = once  translate = (0.3, 0, 0)"), "");
+    // Planes have all coordinates.
+    EXPECT_EQ(ids_of(k_clean +
+                     texture("mapping = planar  wrap_u = once  wrap_v = once  translate = (9, 9, 9)  "
+                             "rotate = (90, 0, 0)") +
+                     "plane { point = (0, 0, -9)  normal = (0, 0, 1)  texture = checks }\n"),
+              "");
+    const auto painted = [](const std::string& keys, const std::string& coordinates) {
+        return ids_of(k_clean + texture(keys) + k_painted + square(coordinates));
+    };
+    const std::string beside = "(1.5, 0), (2.5, 0), (2.5, 1), (1.5, 1)";
+    EXPECT_EQ(painted("wrap_u = once", beside), "texture-out-of-reach@7");
+    for (const std::string wrap : {"repeat", "mirror", "clamp"})
+        EXPECT_EQ(painted("wrap_u = " + wrap, beside), "") << wrap;
+    EXPECT_EQ(painted("wrap_u = once  uv_map = ((1, 0, -1), (0, 1, 0))", beside), "");
+    EXPECT_EQ(painted("wrap_u = once", "(0.5, 0), (2.5, 0), (2.5, 1), (1.5, 1)"), "");
+}
+
+TEST(CheckTextures, Invisible) {
+    const auto shown = [](std::string_view texels, std::string_view keys) {
+        return ids_of(k_clean +
+                      fmt::format("texture checks {{ texels = ({})  mapping = spherical  translate = (0, 1, "
+                                  "2)  {} }}\n",
+                                  texels, keys) +
+                      k_ball);
+    };
+    const std::string_view none = "\"20202000 e0e0e000\"", some = "\"20202060 e0e0e060\"";
+    EXPECT_TRUE(has(shown(none, ""), "texture-invisible@7")) << shown(none, "");
+    EXPECT_TRUE(has(shown(some, "alpha = mask"), "texture-invisible@7"));
+    EXPECT_EQ(shown(none, "alpha = ignore"), "");
+    EXPECT_EQ(shown(some, ""), "");
+    EXPECT_EQ(shown(some, "alpha = mask  alpha_cutoff = 0.3"), "");
+    EXPECT_EQ(shown(none, "wrap_u = once  uv_map = ((2, 0, 0), (0, 2, 0))"), "");
+}
+
+TEST(CheckTextures, TooFine) {
+    const auto scaled = [](std::string_view scale, std::string_view texels = "202020 e0e0e0") {
+        return k_clean +
+               fmt::format(
+                   "texture checks {{ texels = (\"{}\", \"e0e0e0 202020\")  mapping = planar  scale "
+                   "= {} }}\n",
+                   texels, scale) +
+               k_ball;
+    };
+    EXPECT_EQ(ids_of(scaled("0.0002")), "texture-too-fine@7");
+    EXPECT_TRUE(has(only_message(scaled("0.0002")), "is so fine that it is noise in this picture"))
+        << only_message(scaled("0.0002"));
+    for (const std::string_view fine : {"0.004", "0.02", "1"}) EXPECT_EQ(ids_of(scaled(fine)), "") << fine;
+    // Texels that hardly differ.
+    EXPECT_EQ(ids_of(k_clean +
+                     "texture checks { texels = (\"808080 909090\")  mapping = planar  scale = 0.0002 }\n" +
+                     k_ball),
+              "");
+    // Many samples see many texels.
+    EXPECT_EQ(ids_of("render { aa = 8 }\n" + scaled("0.0005")), "");
+    // A floor that is fine only at the horizon.
+    EXPECT_EQ(ids_of(k_clean +
+                     "texture checks { texels = (\"202020 e0e0e0\", \"e0e0e0 202020\")  mapping = planar  "
+                     "rotate = (90, 0, 0)  scale = 0.3 }\n"
+                     "disc { center = (0, 0.01, 0)  normal = (0, 1, 0)  radius = 40  texture = checks }\n"),
+              "");
+}
+
+}  // namespace
+}  // namespace glint::test
