@@ -18,7 +18,7 @@ std::vector<std::string_view> collect() {
         "field-of-view-scaled", "fog-color",         "light-moved",    "material-color", "shape-missing",
         "shape-moved",          "shape-scaled",      "spot-turned"};
     for (const auto faults : {lighting_faults(), light_kind_faults(), tracing_faults(), medium_faults(),
-                              camera_faults(), kernel_faults(), shape_faults()}) {
+                              texture_faults(), camera_faults(), kernel_faults(), shape_faults()}) {
         for (const SceneFault& fault : faults) {
             for (const std::string_view name : {fault.name, fault.scaled}) {
                 if (!name.empty()) names.push_back(name);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "compare/render_scene.h"
 
+#include <algorithm>
+
 #include "world/world.h"
 
 namespace glint {
@@ -14,6 +16,13 @@ Result<Rendering> render(const Result<World>& world, int threads, CancelFlag can
     return render(*world, options);
 }
 
+// Of the number and the use of alpha that the World's have.
+void set_textures(World& world, const std::vector<Texture>& textures) {
+    const std::vector<PreparedTexture>& now = *world.parts().textures;
+    if (std::equal(now.begin(), now.end(), textures.begin(), textures.end())) return;
+    WorldAccess::own(world).textures = prepare_textures(textures);
+}
+
 Result<World> with_shading(const World& world, const Scene& scene) {
     Result<World> changed = with_lights(world, scene.lights);
     if (changed) changed = with_materials(*changed, scene.materials);
@@ -23,6 +32,7 @@ Result<World> with_shading(const World& world, const Scene& scene) {
     if (changed) changed = with_occlusion(*changed, scene.occlusion);
     if (changed) changed = with_camera(*changed, scene.camera);
     if (changed) changed = with_rules(*changed, scene.conventions, scene.settings);
+    if (changed) set_textures(*changed, scene.textures);
     return changed;
 }
 

@@ -163,6 +163,7 @@ std::vector<SceneCause> scene_causes(const Scene& scene) {
     add_area_samples(scene, causes);
     add(tracing_faults());
     add(medium_faults());
+    add(texture_faults());
     add(camera_faults());
     add(kernel_faults());
     add_black_shadows(scene, causes);

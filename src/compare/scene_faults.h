@@ -26,11 +26,13 @@ struct SceneFault {
     std::string (*limit_text)(double) = nullptr;  ///< from this factor on
 };
 
-/// Of the lighting equation; of spots and area lights; of rays; of fog, transparency and occlusion.
+/// Of the lighting equation; of spots and area lights; of rays; of fog, transparency and occlusion;
+/// of textures.
 std::span<const SceneFault> lighting_faults();
 std::span<const SceneFault> light_kind_faults();
 std::span<const SceneFault> tracing_faults();
 std::span<const SceneFault> medium_faults();
+std::span<const SceneFault> texture_faults();
 /// Of the camera; of the kernels; of shapes and the reading of files.
 std::span<const SceneFault> camera_faults();
 std::span<const SceneFault> kernel_faults();
