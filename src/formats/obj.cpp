@@ -53,7 +53,9 @@ class ObjReader : LineReader {
         if (reading_.diagnostics.error_count() > errors) return false;
         if (!vertex_numbers_.check(data_.positions.size(), "vertex", reading_, where_)) return false;
         if (!normal_numbers_.check(data_.normals.size(), "normal", reading_, where_)) return false;
-        if (!texture_numbers_.check(data_.texture_coordinates.size(), "`vt`", reading_, where_)) return false;
+        if (data_.texture_coordinates.size() >= CornerValues::k_none ||
+            texture_numbers_.exceed(data_.texture_coordinates.size()))
+            drop_missing_places();
         if (data_.parts.empty()) {
             reading_.diagnostics.error(where_, 0, 1, "no faces with three vertices");
             return false;
@@ -64,6 +66,17 @@ class ObjReader : LineReader {
                 fmt::format("{} faces with fewer than three vertices are left out", small_faces_));
         }
         return go_on() && smooth_groups(data_, reading_, where_);
+    }
+    // Faces without all of their places in textures have none.
+    void drop_missing_places() {
+        constexpr std::uint32_t none = CornerValues::k_none;
+        const std::size_t count = data_.texture_coordinates.size();
+        for (ObjPart& part : data_.parts) {
+            for (TriangleCorners& t : part.textures) {
+                if (std::any_of(t.begin(), t.end(), [&](std::uint32_t n) { return n >= count; }))
+                    t = {none, none, none};
+            }
+        }
     }
     bool go_on() {
         work_ = 0;
@@ -177,11 +190,10 @@ class ObjReader : LineReader {
         const std::size_t vertices = data_.positions.size(), normals = data_.normals.size();
         if (!vertex_numbers_.resolve(indices.vertex, vertices, words_, corner.vertex))
             return too_negative("vertex", vertices);
-        if (indices.texture != 0) {
-            const std::size_t count = data_.texture_coordinates.size();
-            if (!texture_numbers_.resolve(indices.texture, count, words_, corner.texture))
-                return too_negative("`vt`", count);
-        }
+        // Textures are not what makes a mesh: a number of a `vt` that is not there is none.
+        if (indices.texture != 0)
+            (void)texture_numbers_.resolve(indices.texture, data_.texture_coordinates.size(), words_,
+                                           corner.texture);
         return indices.normal == 0 ||
                normal_numbers_.resolve(indices.normal, normals, words_, corner.normal) ||
                too_negative("normal", normals);

@@ -65,6 +65,9 @@ class ObjNumbers {
         return false;
     }
 
+    /// Whether a number is that of none of `count`.
+    bool exceed(std::size_t count) const { return greatest_ >= static_cast<std::int64_t>(count); }
+
   private:
     std::int64_t greatest_ = -1;
     std::size_t offset_ = 0, length_ = 1;

@@ -45,13 +45,16 @@ HitList nearest_hits(const WorldParts& world, const RayList& rays, int threads) 
 }
 
 HitList nearest_occluders(const WorldParts& world, const RayList& rays, int threads) {
-    const auto passes = [&](SurfaceId id) { return id.exists() && !casts_shadow(world, id); };
     HitList hits = nearest_hits(world, rays, threads);
+    const auto passes = [&](std::size_t i) {
+        const SurfaceId id = hits.surface[i];
+        return id.exists() && !blocks_light(world, id, rays.origin(i) + rays.direction(i) * hits.t[i]);
+    };
     for (;;) {
         RayList on;
         std::vector<std::size_t> numbers;
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (!passes(hits.surface[i])) continue;
+            if (!passes(i)) continue;
             on.add(rays.origin(i), rays.direction(i), hits.t[i], rays.t_max(i));
             numbers.push_back(i);
         }

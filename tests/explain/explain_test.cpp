@@ -33,7 +33,8 @@ std::vector<double> occluders(const World& world, const LightTerms& terms) {
             {columns[0], columns[1], columns[2], columns[3], columns[4], columns[5], columns[6], columns[7]},
             1, 1, {t, slot, element});
         if (slot[0] == k_none) return met;
-        if (casts_shadow(world.parts(), {slot[0], element[0]})) met.push_back(t[0]);
+        if (blocks_light(world.parts(), {slot[0], element[0]}, terms.origin + terms.direction * t[0]))
+            met.push_back(t[0]);
         t_min = t[0];
     }
 }

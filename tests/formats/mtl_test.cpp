@@ -225,12 +225,12 @@ TEST(Mtl, WhatIsMissingIsAWarning) {
 TEST(Mtl, WhatIsNotDrawnIsNamedOnce) {
     Libraries libraries(
         {{"a.mtl",
-          "newmtl m\nmap_Kd a.png\nbump b.png\nTf 1 1 1\nTf 1 0 0\nPr 0.5\nPm 1\nKd spectral a.rfl\n"}});
+          "newmtl m\nmap_Ks a.png\nbump b.png\nTf 1 1 1\nTf 1 0 0\nPr 0.5\nPm 1\nKd spectral a.rfl\n"}});
     const Result<Scene> result =
         load_text("mtllib a.mtl\n" + k_triangle_lines + "usemtl m\nf 1 2 3\n", "a.obj", {}, &libraries);
     ASSERT_TRUE(result) << messages(result);
     ASSERT_EQ(result.diagnostics.size(), 4u) << messages(result);
-    EXPECT_NE(messages(result).find("a.mtl:2:1: warning: glint ignores 'map_Kd'"), std::string::npos);
+    EXPECT_NE(messages(result).find("a.mtl:2:1: warning: glint ignores 'map_Ks'"), std::string::npos);
     EXPECT_NE(messages(result).find("glint ignores `Tf`"), std::string::npos);
     EXPECT_NE(messages(result).find("a.mtl:6:1: warning: glint ignores 'Pr'"), std::string::npos);
     EXPECT_NE(messages(result).find("r, g, b only"), std::string::npos);

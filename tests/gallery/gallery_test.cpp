@@ -61,7 +61,7 @@ const GalleryPicture k_gallery[] = {
     {"glint/stained_glass.glint", "size=160x120", 0x47240280c10c692b},
     {"glint/still_life.glint", "size=160x160", 0xc59e2be8e3fb8caa},
     {"glint/temple.glint", "size=160x160", 0xb8bd77e115244a2c},
-    {"glint/textures.glint", "size=160x107 aa=2", 0},
+    {"glint/textures.glint", "size=160x107 aa=2", 0xd47a742ee0bbf3f3},
     {"glint/three_spots.glint", "size=160x107", 0x39bec1930ad04fca},
     {"glint/two_colors_of_light.glint", "size=160x56", 0x57bcbe22b1d9adc1},
     {"glint/window.glint", "size=160x107", 0xb4465917fa5eac4c},

@@ -17,9 +17,6 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// A light whose factor is below this in every channel counts as blocked.
-inline constexpr double k_min_filter = 0x1p-10;
-
 /// Computes the factors of the light of shadow rays that are not occluded: the product over the transparent
 /// surfaces on the way, in the order of t. Surfaces at equal t count once, the first in the scene; those
 /// within Conventions::transparent_shadow_epsilon behind it do not count.

@@ -151,6 +151,9 @@ inline void write_extended_values(const WorldParts& world, SurfaceId id, Vec3 po
     transmit = faded_transmit(transmit, opacity);
 }
 
+/// A light whose factor is below this in every channel counts as blocked.
+inline constexpr double k_min_filter = 0x1p-10;
+
 /// The factor of light that passes a transparent surface: transmit + filter * color.
 inline Color shadow_factor(const WorldParts& world, SurfaceId id, Vec3 point) {
     double values[k_extended_values];
@@ -159,6 +162,15 @@ inline Color shadow_factor(const WorldParts& world, SurfaceId id, Vec3 point) {
     const double filter = values[k_extended_value<&Material::filter>],
                  transmit = values[k_extended_value<&Material::transmit>];
     return {transmit + filter * color.r, transmit + filter * color.g, transmit + filter * color.b};
+}
+
+/// Whether the surface blocks light at a point by itself: also a transparent one that lets nothing through
+/// there.
+inline bool blocks_light(const WorldParts& world, SurfaceId id, Vec3 point) {
+    if (casts_shadow(world, id)) return true;
+    if (!world.colors_shadows() || !colors_light(world, id)) return false;
+    const Color factor = shadow_factor(world, id, point);
+    return factor.r < k_min_filter && factor.g < k_min_filter && factor.b < k_min_filter;
 }
 
 }  // namespace glint
