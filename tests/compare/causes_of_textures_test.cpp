@@ -23,16 +23,17 @@ const std::string k_texels =
     "404040\")  ";
 
 // A ball and a floor, by the place of the point.
-const std::string k_projected = k_room + "texture globe { " + k_texels +
-                                "mapping = spherical  translate = (-1.2, 0.9, 0.4) }\n" + "texture tiles { " +
-                                k_texels + "mapping = planar  rotate = (-90, 0, 0)  scale = 2 }\n" +
+const std::string k_projected = k_room + "texture globe { encoding = srgb  " + k_texels +
+                                "mapping = spherical  translate = (-1.2, 0.9, 0.4) }\n" +
+                                "texture tiles { encoding = srgb  " + k_texels +
+                                "mapping = planar  rotate = (-90, 0, 0)  scale = 2 }\n" +
                                 R"(
 plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.9, 0.9, 0.8)  ambient = 0.3  diffuse = 0.8  texture = tiles }
 sphere { center = (-1.2, 0.9, 0.4)  radius = 0.9  color = (1, 1, 1)  ambient = 0.2  diffuse = 0.7  specular = 0.2  shininess = 25  texture = globe }
 box { min = (0.7, 0, -0.8)  max = (1.7, 1.5, 0.2)  color = (0.3, 0.4, 0.8)  ambient = 0.2  diffuse = 0.8 }
 )";
 // A wall with coordinates beyond the picture.
-const std::string k_mesh = k_room + "texture poster { " + k_texels + "}\n" +
+const std::string k_mesh = k_room + "texture poster { encoding = srgb  " + k_texels + "}\n" +
                            R"(
 mesh { vertices = ((-2.4, 0, 0), (2, 0, -1), (2, 2.6, -1), (-2.4, 2.6, 0))  triangles = ((0, 1, 2), (0, 2, 3))
   texture_coordinates = ((-0.4, -0.3), (1.7, -0.3), (1.7, 1.5), (-0.4, 1.5))
