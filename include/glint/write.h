@@ -22,9 +22,9 @@ GLINT_API Result<std::string> write_glint(const Scene& scene, std::span<const Sc
                                           std::span<const std::string> mesh_files = {});
 
 /// The mesh as a binary .ply file (docs/formats/ply.md), little endian. load() reads it back with the same
-/// positions, normals and colors; vertices with several normals or colors become several. An error
-/// (invalid_argument) if the mesh has a mistake, or if only some triangles have colors: such a file cannot
-/// say so. Never throws.
+/// positions, normals, colors and texture coordinates; vertices with several of these become several. An
+/// error (invalid_argument) if the mesh has a mistake, or if only some triangles have colors or texture
+/// coordinates: such a file cannot say so. Never throws.
 GLINT_API Result<std::string> write_ply(const MeshData& mesh);
 
 }  // namespace glint

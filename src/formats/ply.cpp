@@ -149,10 +149,12 @@ template <class Numbers> class PlyBody {
         const bool has_normals = element_->find("nx") != nullptr && element_->find("ny") != nullptr &&
                                  element_->find("nz") != nullptr;
         const bool is_colored = has_colors(*element_);
+        const bool is_textured = has_columns(*element_, k_texture_column, k_ply_columns);
         MeshData& mesh = *mesh_;
         if (!(single ? reserve(mesh.single_positions, count) : reserve(mesh.positions, count)) ||
             (has_normals && !reserve(mesh.normals.values, count)) ||
-            (is_colored && !reserve(mesh.colors.values, count))) {
+            (is_colored && !reserve(mesh.colors.values, count)) ||
+            (is_textured && !reserve(mesh.texture_coordinates.values, count))) {
             return false;
         }
         const std::vector<int> columns = columns_of(*element_);
@@ -168,6 +170,9 @@ template <class Numbers> class PlyBody {
             }
             if (has_normals) mesh.normals.values.push_back(single_of(v + k_normal_column));
             if (is_colored) mesh.colors.values.push_back(single_of(v + k_color_column));
+            if (is_textured)
+                mesh.texture_coordinates.values.push_back({static_cast<float>(v[k_texture_column]),
+                                                           static_cast<float>(v[k_texture_column + 1]), 0});
         }
         return !reading_.diagnostics.full();
     }
@@ -176,7 +181,7 @@ template <class Numbers> class PlyBody {
         if (p.count_type) return skip(p);
         double value = 0;
         if (!number(p.type, value)) return false;
-        if (column >= k_color_column) {
+        if (column >= k_color_column && column < k_texture_column) {
             value /= full_channel(p.type);
             if (!k_not_negative.contains(value))
                 return fail(fmt::format("expected a color of at least 0, found {}", value));

@@ -10,12 +10,14 @@
 namespace glint {
 
 /// What a property of a vertex becomes: a coordinate of the position or of the normal, a channel of the
-/// color, or nothing. Of a face, only the color is used.
-inline constexpr int k_normal_column = 3, k_color_column = 6, k_ply_columns = 9;
+/// color, a texture coordinate, or nothing. Of a face, only the color is used.
+inline constexpr int k_normal_column = 3, k_color_column = 6, k_texture_column = 9, k_ply_columns = 11;
 inline int ply_column(std::string_view name) {
-    constexpr std::string_view names[k_ply_columns] = {"x",  "y",   "z",     "nx",  "ny",
-                                                       "nz", "red", "green", "blue"};
+    constexpr std::string_view names[k_ply_columns] = {"x",   "y",     "z",    "nx", "ny", "nz",
+                                                       "red", "green", "blue", "s",  "t"};
     if (name.starts_with("diffuse_")) name.remove_prefix(8);
+    if (name == "u" || name == "texture_u") name = "s";
+    if (name == "v" || name == "texture_v") name = "t";
     const auto found = std::find(std::begin(names), std::end(names), name);
     return found == std::end(names) ? -1 : static_cast<int>(found - names);
 }
@@ -27,13 +29,16 @@ inline std::vector<int> columns_of(const PlyElement& element) {
     return columns;
 }
 
-/// Whether an element has all three channels.
-inline bool has_colors(const PlyElement& element) {
+/// Whether an element has all columns from `first` up to `end`.
+inline bool has_columns(const PlyElement& element, int first, int end) {
     const std::vector<int> columns = columns_of(element);
-    for (int channel = k_color_column; channel < k_ply_columns; ++channel) {
-        if (std::find(columns.begin(), columns.end(), channel) == columns.end()) return false;
+    for (; first < end; ++first) {
+        if (std::find(columns.begin(), columns.end(), first) == columns.end()) return false;
     }
     return true;
+}
+inline bool has_colors(const PlyElement& element) {
+    return has_columns(element, k_color_column, k_texture_column);
 }
 
 /// The number that stands for a full channel: files have whole numbers of bytes, even in larger types.

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <iterator>
 #include <map>
-#include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/status.h"
@@ -17,10 +17,10 @@
 namespace glint {
 namespace {
 
-// What a vertex of the file has: the numbers of its position, normal and color.
-using Vertex = std::array<std::uint32_t, 3>;
+// What a vertex of the file has: the numbers of its position, normal, color and texture coordinates.
+using Vertex = std::array<std::uint32_t, 4>;
 
-// A file has one list of vertices: those that differ in a normal or a color are several.
+// A file has one list of vertices: those that differ in one of these are several.
 class PlyWriter {
   public:
     explicit PlyWriter(const MeshData& mesh) : mesh_(mesh) {}
@@ -38,8 +38,9 @@ class PlyWriter {
 
   private:
     void number_vertices() {
-        if (mesh_.normals.corners.empty() && mesh_.colors.corners.empty()) {
-            for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v) vertices_.push_back({v, v, v});
+        if (mesh_.normals.corners.empty() && mesh_.colors.corners.empty() &&
+            mesh_.texture_coordinates.corners.empty()) {
+            for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v) vertices_.push_back({v, v, v, v});
             triangles_ = mesh_.triangles;
             return;
         }
@@ -48,7 +49,8 @@ class PlyWriter {
             TriangleCorners triangle;
             for (std::size_t k = 0; k < 3; ++k) {
                 const Vertex vertex{mesh_.triangles[i][k], number_of(mesh_.normals, i, k),
-                                    number_of(mesh_.colors, i, k)};
+                                    number_of(mesh_.colors, i, k),
+                                    number_of(mesh_.texture_coordinates, i, k)};
                 const auto [at, is_new] =
                     numbers.emplace(vertex, static_cast<std::uint32_t>(vertices_.size()));
                 if (is_new) vertices_.push_back(vertex);
@@ -70,6 +72,7 @@ class PlyWriter {
                        vertices_.size(), type, type, type);
         if (!mesh_.normals.empty()) out_ += "property float nx\nproperty float ny\nproperty float nz\n";
         if (!mesh_.colors.empty()) out_ += "property float red\nproperty float green\nproperty float blue\n";
+        if (!mesh_.texture_coordinates.empty()) out_ += "property float s\nproperty float t\n";
         fmt::format_to(std::back_inserter(out_),
                        "element face {}\nproperty list uchar uint vertex_indices\nend_header\n",
                        triangles_.size());
@@ -84,6 +87,9 @@ class PlyWriter {
         }
         append(mesh_.normals, vertex[1]);
         append(mesh_.colors, vertex[2]);
+        if (mesh_.texture_coordinates.empty()) return;
+        const Float3& uv = mesh_.texture_coordinates.values[vertex[3]];
+        append(uv.x), append(uv.y);
     }
     void append(const CornerValues& of, std::uint32_t number) {
         if (!of.empty()) append(number < of.values.size() ? of.values[number] : Float3{});
@@ -102,10 +108,11 @@ class PlyWriter {
     std::string out_;
 };
 
-bool has_uncolored_triangles(const MeshData& mesh) {
-    if (mesh.colors.empty()) return false;
+// Whether some triangles have values and others have none.
+bool has_gaps(const MeshData& mesh, const CornerValues& of) {
+    if (of.empty()) return false;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        if (!mesh.corner_values(mesh.colors, i)) return true;
+        if (!mesh.corner_values(of, i)) return true;
     }
     return false;
 }
@@ -116,10 +123,13 @@ Result<std::string> write_ply(const MeshData& mesh) {
     const auto body = [&]() -> Result<std::string> {
         if (std::string mistake = mistake_in(mesh); !mistake.empty())
             return Status{ErrorCode::invalid_argument, std::move(mistake), {}};
-        if (has_uncolored_triangles(mesh))
-            return Status{ErrorCode::invalid_argument,
-                          "a .ply file cannot have triangles without colors beside others",
-                          {}};
+        for (const auto& [of, what] :
+             {std::pair{&mesh.colors, "colors"}, {&mesh.texture_coordinates, "texture coordinates"}}) {
+            if (has_gaps(mesh, *of))
+                return Status{ErrorCode::invalid_argument,
+                              fmt::format("a .ply file cannot have triangles without {} beside others", what),
+                              {}};
+        }
         return PlyWriter(mesh).run();
     };
     return result_of(body, " while writing the mesh");

@@ -326,6 +326,37 @@ std::string corners_of(const MeshData& mesh) {
     return text;
 }
 
+TEST(Ply, HasTextureCoordinates) {
+    MeshData mesh;
+    mesh.single_positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+    mesh.triangles = {{0, 1, 2}, {2, 1, 3}};
+    mesh.texture_coordinates.values = {{0, 0, 0}, {0.5F, 0, 0}, {0, 1, 0}, {7, -2, 0}};
+    const Scene same = quiet_scene(write_ply(mesh).value(), "a.ply");
+    EXPECT_EQ(*same.meshes.at(0), mesh);
+    // A seam: vertices with two places become two.
+    mesh.texture_coordinates.corners = {{0, 1, 2}, {3, 1, 0}};
+    const Scene seam = quiet_scene(write_ply(mesh).value(), "a.ply");
+    ASSERT_EQ(seam.meshes.at(0)->vertex_count(), 5u);
+    for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_EQ(seam.meshes[0]->corner_values(seam.meshes[0]->texture_coordinates, i),
+                  mesh.corner_values(mesh.texture_coordinates, i));
+    mesh.texture_coordinates.corners[1].fill(CornerValues::k_none);
+    EXPECT_EQ(write_ply(mesh).code, ErrorCode::invalid_argument);
+    for (const char* names : {"u v", "texture_u texture_v", "s t"}) {
+        const std::string name(names), u = name.substr(0, name.find(' ')),
+                                       v = name.substr(name.find(' ') + 1);
+        const Scene scene = quiet_scene(
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+            "property float z\nproperty float " +
+                u + "\nproperty float " + v +
+                "\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                "0 0 0 0.25 -3\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n",
+            "a.ply");
+        EXPECT_EQ(scene.meshes.at(0)->texture_coordinates.values,
+                  (std::vector<Float3>{{0.25F, -3, 0}, {1, 0, 0}, {0, 1, 0}}));
+    }
+}
+
 TEST(Ply, IsWrittenAndReadBack) {
     MeshData mesh;
     mesh.positions = {{0, 0, 0}, {1, 0, 0.1}, {0, 1, 0}, {1, 1, 1}};
