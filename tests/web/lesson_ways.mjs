@@ -49,6 +49,8 @@ export const ways = {
         {right: ['pin 0.42,0.57', 'pin 0.58,0.57', 'pin 0.43,0.57'], near: ['pin 0.34,0.57', 'pin 0.1,0.8']},
         {right: ['replace color = (0.6, 0, 0) => color = (0, 0, 0)', 'replace light "red" { position = (-3, 6, 3)  color = (0.6, 0, 0) } => ', 'replace color = (0.6, 0, 0) => color = (0.6, 0, 0)  intensity = 0'],
             near: ['replace color = (0, 0.6, 0) => color = (0, 0, 0)', 'replace color = (0.6, 0, 0) => color = (0.3, 0, 0)']},
+        {right: ['prepend texture tiles { texels = ("303030 ffffff", "ffffff 303030")  filter = nearest  mapping = planar  rotate = (-90, 0, 0)  scale = 2 }; replace plane "floor" { => plane "floor" { texture = tiles ; pin 0.2,0.85', 'prepend texture tiles { texels = ("303030 ffffff", "ffffff 303030")  filter = nearest  mapping = planar  rotate = (-90, 0, 0)  scale = 2 }; replace plane "floor" { => plane "floor" { texture = tiles ; pin 0.9,0.85', 'append texture tiles { texels = ("303030 ffffff", "ffffff 303030")  filter = nearest  mapping = planar  rotate = (-90, 0, 0)  scale = 2 }; replace plane "floor" { => plane "floor" { texture = tiles ; pin 0.3125,0.8333'],
+            near: ['prepend texture tiles { texels = ("303030 ffffff", "ffffff 303030")  filter = nearest  mapping = planar  rotate = (-90, 0, 0)  scale = 2 }; replace plane "floor" { => plane "floor" { texture = tiles ; pin 0.1,0.8', 'pin 0.2,0.85']},
     ],
     '07_shadows': [
         {right: ['pin 0.3,0.64', 'pin 0.32,0.66', 'pin 0.27,0.63'], near: ['pin 0.9,0.9', 'pin 0.5,0.4']},
