@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // glint-core.wasm, which the page starts with, is linked from the same objects as glint.wasm, but with these
-// functions in place of formats/povray, the readers of Tachyon's scenes and of glTF, compare, check, diagnose
-// and the decoders of textures: almost half of the file. They are all that others call of these, so the
-// linker takes nothing else of them. A call that needs one cannot be answered: glint_left_out() then says so,
-// and the page repeats it with glint.wasm.
+// functions in place of formats/povray, the readers of Tachyon's scenes, of .obj and of glTF, compare, check,
+// diagnose and the decoders of textures: almost half of the file. They are all that others call of these, so
+// the linker takes nothing else of them. A call that needs one cannot be answered: glint_left_out() then says
+// so, and the page repeats it with glint.wasm.
 #include <cstdint>
 
+#include "formats/mesh_file.h"
 #include "formats/povray/standard_includes.h"
 #include "formats/registry.h"
 #include "glint/check.h"
@@ -31,6 +32,14 @@ void set_povray_defaults(Scene&) {}
 
 void read_povray(LoadState& reading, const ReadText& text) {
     reading.diagnostics.error(text.place, 0, 0, leave_out().message);
+}
+
+void read_obj(LoadState& reading, const ReadText& text) {
+    reading.diagnostics.error(text.place, 0, 0, leave_out().message);
+}
+std::shared_ptr<const MeshData> read_obj_mesh(LoadState& reading, InputText where) {
+    reading.diagnostics.error(where, 0, 0, leave_out().message);
+    return nullptr;
 }
 
 void set_tachyon_defaults(Scene&) {}

@@ -46,6 +46,7 @@ test('the core says what it leaves out, and the whole does not', async () => {
         "POV-Ray's language": (glint) => glint.open({texts: [ball]}),
         'the same in an included text': (glint) => glint.open({texts: [{name: 'a.glint', text: 'include "ball.pov"\n'}], includes: [ball]}),
         "Tachyon's scenes": (glint) => glint.open({texts: [{name: 'a.dat', text: 'BEGIN_SCENE\nRESOLUTION 4 3\nEND_SCENE\n'}]}),
+        "Wavefront's meshes": (glint) => glint.open({texts: [{name: 'a.obj', text: 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n'}]}),
         glTF: (glint) => glint.open({texts: [{name: 'a.gltf', text: '{"asset": {"version": "2.0"}}'}]}),
         causes: (glint) => {
             const scene = glint.open({texts: [read('cgfs/three_mirrors.cgfs')], settings: {size: '40x30'}});

@@ -9,7 +9,8 @@ import {choose, native, picture, scenes, settled, withPage} from './browser.mjs'
 
 const files = readdirSync(scenes, {withFileTypes: true})
     .flatMap((folder) => readdirSync(join(scenes, folder.name), {withFileTypes: true})
-        .filter((entry) => entry.isFile()).map((entry) => `${folder.name}/${entry.name}`));
+        .filter((entry) => entry.isFile()).map((entry) => `${folder.name}/${entry.name}`))
+    .filter((file) => !file.startsWith('gltf/'));  // tools/make-gallery.mjs leaves them out
 
 /** The page's name for a scene, and the native command's arguments for it. */
 function pictures(file) {
