@@ -16,6 +16,7 @@ std::vector<GlintBlock> glint_blocks() {
     add_shape_blocks(blocks);
     blocks.push_back({"group", key_names(k_item_fields)});
     blocks.push_back({"material", key_names(k_material_keys)});
+    blocks.push_back({"texture", key_names(glint_texture_keys())});
     blocks.push_back({"light", key_names(glint_light_keys())});
     blocks.push_back({"camera", key_names(glint_camera_keys())});
     blocks.push_back({"fog", key_names(glint_fog_keys())});

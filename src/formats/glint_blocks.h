@@ -27,5 +27,6 @@ std::span<const Field> glint_camera_keys();
 std::span<const Field> glint_fog_keys();
 std::span<const Field> glint_occlusion_keys();
 std::span<const Field> glint_gradient_keys();
+std::span<const Field> glint_texture_keys();
 
 }  // namespace glint

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 
+#include "formats/glint_blocks.h"
 #include "formats/glint_item.h"
 #include "formats/texture_file.h"
 #include "math/transform.h"
@@ -89,6 +90,8 @@ class TexelRows {
 };
 
 }  // namespace
+
+std::span<const Field> glint_texture_keys() { return k_texture_keys; }
 
 GlintTextures& GlintTextures::of(LoadState& reading) {
     if (!reading.glint_textures) reading.glint_textures = std::make_shared<GlintTextures>();

@@ -7,6 +7,7 @@
 #include "scene/light_fields.h"
 #include "scene/material_fields.h"
 #include "scene/sky_fields.h"
+#include "scene/texture_fields.h"
 #include "world/prepare_camera.h"
 
 namespace glint::wasm {
@@ -79,6 +80,7 @@ template <class Item> Json fields_json(std::span<const ItemField<Item>> fields) 
         std::visit(
             [&](const auto& member) {
                 json["type"] = member.type.word;
+                if constexpr (requires { member.type.words; }) json["words"] = member.type.words;
                 if constexpr (requires { member.type.range; }) {
                     json["min"] = member.type.range.min;
                     json["max"] = member.type.range.max;
@@ -175,6 +177,7 @@ Json describe(const Scene& scene, const World& world) {
             {"light_fields", fields_json<Light>(k_light_fields)},
             {"camera_fields", fields_json<Camera>(k_camera_fields)},
             {"material_fields", fields_json<Material>(k_material_fields)},
+            {"texture_fields", fields_json<Texture>(k_texture_fields)},
             {"gradient_fields", fields_json<BackgroundGradient>(k_gradient_fields)},
             {"fog_fields", fields_json<Fog>(k_fog_fields)},
             {"occlusion_fields", fields_json<Occlusion>(k_occlusion_fields)},

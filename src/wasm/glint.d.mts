@@ -92,13 +92,15 @@ export interface FieldInfo {
     keys: string[];
     label: string;
     description: string;
-    type: 'number' | 'whole' | 'boolean' | 'point' | 'direction' | 'color' | 'attenuation';
+    type: 'number' | 'whole' | 'boolean' | 'point' | 'direction' | 'color' | 'attenuation' | 'choice' | 'texture' | 'uv map';
+    /** Of a choice. */
+    words?: string[];
     /** Of a number, or of each channel of a color. Null: infinite. */
     min?: number;
     max?: number | null;
     required: boolean;
     /** Null: there is none. */
-    default: number | boolean | Vec3 | null;
+    default: number | boolean | string | Vec3 | null;
 }
 
 export type LightKind = 'ambient' | 'point' | 'directional' | 'spot' | 'parallelogram' | 'disc' | 'sphere';
@@ -189,6 +191,7 @@ export interface SceneInfo {
     light_fields: FieldInfo[];
     camera_fields: FieldInfo[];
     material_fields: FieldInfo[];
+    texture_fields: FieldInfo[];
     gradient_fields: FieldInfo[];
     fog_fields: FieldInfo[];
     occlusion_fields: FieldInfo[];

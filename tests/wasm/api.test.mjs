@@ -181,7 +181,7 @@ test('the facts of a scene', () => {
     // Each key is one that the reader knows, and it names no other.
     for (const [word, keys] of Object.entries(info.blocks)) {
         const isKnown = (key) => {
-            const other = glint.open({texts: [{name: 'a.glint', text: `${word} ${word === 'material' ? 'm ' : ''}{ ${key} = ? }`}]});
+            const other = glint.open({texts: [{name: 'a.glint', text: `${word} ${['material', 'texture'].includes(word) ? 'm ' : ''}{ ${key} = ? }`}]});
             const {diagnostics} = other.report;
             other.close();
             return !diagnostics.some(({message}) => new RegExp(`^an? ${word}( block)? has no `).test(message));

@@ -106,6 +106,40 @@ mesh { file = "fan.ply" }
     assert.deepEqual(await picture(page), native(join(folder, 'two/a.glint')));
 })));
 
+/** A P6 of 2 x 2 texels. */
+const texels = Buffer.concat([Buffer.from('P6 2 2 255\n'), Buffer.from([255, 0, 0, 255, 255, 255, 255, 255, 255, 0, 0, 255])]);
+const textured = {
+    'room/a.glint': `camera { position = (0, 1, 8)  look_at = (0, 0, 0)  fov_x = 40 }
+light { type = ambient }
+render { size = 80 x 60 }
+texture board { file = "pictures/board.ppm"  mapping = planar }
+sphere { center = (0, 0, 0)  radius = 2  texture = board }
+`,
+    'room/pictures/board.ppm': texels,
+    'room/b.obj': 'mtllib b.mtl\nv -1 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl m\nf 1/1 2/2 3/3\n',
+    'room/b.mtl': 'newmtl m\nmap_Kd -s 2 2 1 -clamp off pictures/board.ppm\n',
+};
+
+test('a scene finds the pictures of its textures: in its folder, or dropped when it lacks them', () => withPage((page) => inFolder(textured, async (folder) => {
+    await drop(page, {name: 'a.glint', text: textured['room/a.glint']});
+    await named(page, 'a.glint');
+    await settled(page, 'error');
+    assert.match(await page.locator('.messages p').first().innerText(), /pictures\/board\.ppm is not here/);
+    await drop(page, {name: 'board.ppm', text: texels});
+    await settled(page);
+    assert.deepEqual(await picture(page), native(join(folder, 'room/a.glint')));
+})));
+
+test('an .obj in a .zip has its .mtl and its pictures', () => withPage((page) => inFolder(textured, async (folder) => {
+    const some = Object.entries(textured).filter(([name]) => !name.endsWith('.glint'));
+    await drop(page, {name: 'room.zip', text: Buffer.from(zipSync(Object.fromEntries(some.map(([name, text]) => [name, new Uint8Array(Buffer.from(text))]))))});
+    await named(page, 'b.glint');
+    await settled(page);
+    writeFileSync(join(folder, 'room/b.glint'), await sceneText(page));
+    assert.deepEqual(await picture(page), native(join(folder, 'room/b.glint')));
+    assert.match(await sceneText(page), /texture/);
+})));
+
 test('the page says how much of a large file is read', () => withPage(async (page) => {
     await page.evaluate(() => {
         window.said = [];

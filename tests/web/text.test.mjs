@@ -250,6 +250,11 @@ test('keys, blocks and values are completed from the reader’s tables, and the 
     await complete('mater', 'material');
     await complete('br', 'brass');
     await page.keyboard.type(' radius = 1 }\n');
+    await complete('text', 'texture');
+    await page.keyboard.type('wood { ');
+    await complete('map', 'mapping');
+    await complete('pla', 'planar');
+    await page.keyboard.type(' texels = ("804020") }\n');
     await complete('conv', 'conventions');
     await page.keyboard.type('specular_g', {delay: 10});
     await list.getByText('specular_gate').waitFor();
@@ -257,7 +262,7 @@ test('keys, blocks and values are completed from the reader’s tables, and the 
     await page.keyboard.press('Escape');
     await page.keyboard.type('ate = true }');
     await settled(page);
-    const added = '\nlight { type = ambient intensity = 0.7 }\nsphere { center = (1, 0, 0) material = brass radius = 1 }\nconventions { specular_gate = true }';
+    const added = '\nlight { type = ambient intensity = 0.7 }\nsphere { center = (1, 0, 0) material = brass radius = 1 }\ntexture wood { mapping = planar texels = ("804020") }\nconventions { specular_gate = true }';
     assert.ok((await sceneText(page)).replaceAll(/ +/g, ' ').includes(added), await sceneText(page));
     await page.getByRole('button', {name: 'Find in the text'}).click();
     await page.locator('.cm-search [name=search]').fill('brass');

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files of meshes, which a scene refers to, or which are opened as a scene of their own.
+// Files of meshes, which a scene refers to, or which are opened as a scene of their own; and the bytes of files that are no text.
 import type {SceneText} from 'glint-wasm';
+
+import {isPictureName} from './picture_file';
 
 export const meshExtensions = ['ply', 'stl', 'obj', 'gltf', 'glb'];
 /** The buffers of .gltf. */
@@ -18,7 +20,7 @@ function base64(bytes: Uint8Array): string {
 
 /** The text of a file, or the bytes of one that is no text. */
 export async function readFile(name: string, file: File): Promise<SceneText> {
-    if (!binary.test(name)) return {name, text: await file.text()};
+    if (!binary.test(name) && !isPictureName(name)) return {name, text: await file.text()};
     const bytes = new Uint8Array(await file.arrayBuffer());
     try {
         const text = new TextDecoder('utf-8', {fatal: true, ignoreBOM: true}).decode(bytes);

@@ -2,7 +2,7 @@
 // Reads pictures that the user drops: what the browser can read (PNG, JPEG, ...), PPM, which students' programs write, and OpenEXR.
 import {fetchLater} from './store/later';
 
-const pictures = /\.(png|jpe?g|ppm|pnm|bmp|gif|webp|exr)$/i;
+const pictures = /\.(png|jpe?g|tga|ppm|pgm|pnm|bmp|gif|webp|exr)$/i;
 
 const exrReader = () => import('./exr_file');
 fetchLater(exrReader);

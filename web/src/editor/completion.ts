@@ -21,6 +21,7 @@ function fieldsOf(facts: SceneInfo, block: string): FieldInfo[] {
         case 'fog': return facts.fog_fields;
         case 'background_gradient': return facts.gradient_fields;
         case 'occlusion': return facts.occlusion_fields;
+        case 'texture': return facts.texture_fields;
         default: return facts.material_fields;
     }
 }
@@ -62,8 +63,12 @@ function describe(facts: SceneInfo, block: string, key: string): Partial<Complet
 function valuesOf(facts: SceneInfo, block: string, key: string, text: string): string[] {
     const words = kinds[block]?.[key];
     if (words) return words;
-    if (key === 'material') return [...text.matchAll(/^\s*material\s+("[^"\n]*"|[\w-]+)/gm)].map(([, name]) => name!);
-    if (fieldsOf(facts, block).find(({keys}) => keys.includes(key))?.type === 'boolean') return ['true', 'false'];
+    const named = (what: string) => [...text.matchAll(new RegExp(`^\\s*${what}\\s+("[^"\\n]*"|[\\w-]+)`, 'gm'))].map(([, name]) => name!);
+    if (key === 'material') return named('material');
+    const field = fieldsOf(facts, block).find(({keys}) => keys.includes(key));
+    if (field?.type === 'texture') return named('texture');
+    if (field?.words) return field.words;
+    if (field?.type === 'boolean') return ['true', 'false'];
     const values = facts.settings.find(({name}) => name === key)?.values;
     return values?.includes(' | ') && (block === 'render' || block === 'conventions') ? values.split(' | ') : [];
 }
@@ -78,7 +83,7 @@ function complete(context: CompletionContext, facts: SceneInfo | null): Completi
     const block = open.at(-1) ?? '';
     const key = /([\w-]+)\s*=\s*$/.exec(before)?.[1];
     const whole = (label: string, type: string): Completion => ({label, type});
-    const blockOf = (label: string): Completion => ({label, type: 'class', apply: label === 'material' ? 'material ' : `${label} { `});
+    const blockOf = (label: string): Completion => ({label, type: 'class', apply: label === 'material' || label === 'texture' ? `${label} ` : `${label} { `});
     let options: Completion[];
     if (key !== undefined) {
         options = valuesOf(facts, block, key, doc.toString()).map((label) => whole(label, 'constant'));

@@ -9,7 +9,7 @@ import {isMeshName, meshExtensions, readFile} from '../mesh_file';
 import {isPictureName} from '../picture_file';
 import {isLog} from '../log_file';
 import {extensions, formatOf} from '../text/formats';
-import {namesIncludedBy, rootsOf, textsFor} from '../text/includes';
+import {folderOf, namesIncludedBy, placedIn, rootsOf, textsFor} from '../text/includes';
 import {keepForBack, setAddress} from './address';
 import {fetchLater} from './later';
 import {openPicture} from './own';
@@ -36,10 +36,17 @@ export async function openFiles(given: readonly GivenFile[]) {
     }
     const areLogs = await Promise.all(files.map(({file}) => isLog(file)));
     const log = files.find((_, i) => areLogs[i]), picture = files.find(({path}) => isPictureName(path));
-    const others = files.filter(({path}, i) => !areLogs[i] && !isPictureName(path));
-    if (others.length > 0 || (!log && !picture)) await openTexts(others, given);
-    else if (picture) await openPicture(picture.file);
+    const others = files.filter((_, i) => !areLogs[i]);
+    // Pictures beside a scene, or that the present one lacks, are of its textures.
+    if (!others.every(({path}) => isPictureName(path)) || (!log && !picture)) await openTexts(others, given);
+    else if (picture && !(await supplyPictures(others))) await openPicture(picture.file);
     if (log) await openLog(log.file);
+}
+
+/** Supplies the pictures that the present scene lacks. False if these are none of them. */
+async function supplyPictures(files: readonly GivenFile[]) {
+    if (missing.value.length === 0) return false;
+    return supply(textsFor(missing.value, fileName.value, await Promise.all(files.map(({path, file}) => readFile(path, file)))));
 }
 
 /** Supplies the texts that the present scene lacks, if they are among these; else opens the first scene, with those that it includes. */
@@ -69,7 +76,7 @@ async function openMesh(mesh: SceneText, texts: readonly SceneText[]) {
         return;
     }
     folder.value = [...texts];
-    openFromFolder({name: mesh.name.replace(/\.\w+$/, '') + '.glint', text: scene.text});
+    openFromFolder({name: mesh.name.replace(/\.\w+$/, '') + '.glint', text: placedIn(folderOf(mesh.name), scene.text)});
 }
 
 function openFromFolder(file: SceneText) {

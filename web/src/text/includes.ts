@@ -2,7 +2,7 @@
 // Which of some files a scene includes, under the names by which it asks for them.
 import type {SceneText} from 'glint-wasm';
 
-const folderOf = (name: string) => name.slice(0, name.lastIndexOf('/') + 1);
+export const folderOf = (name: string) => name.slice(0, name.lastIndexOf('/') + 1);
 
 /** A path without `.` and `..`. */
 export function plainPath(path: string): string {
@@ -40,6 +40,9 @@ function unescaped(uri: string): string {
     }
 }
 
+/** The name of a picture in a statement of an .mtl, after `-s 2 2 1` and the like. */
+const withoutOptions = (said: string) => said.replace(/^(?:-[a-z]+\s+(?:(?:[-+.\d][^\s]*\s+)+|\S+\s+))*/, '').replaceAll('\\', '/');
+
 /**
  * The names that a text includes, as glint asks for them; those in comments are among them. `main`: the scene's own text, from
  * whose folder POV-Ray's includes all start.
@@ -48,9 +51,13 @@ export function namesIncludedBy({name, text}: SceneText, main = name): string[] 
     const folder = folderOf(/\.(pov|inc)$/i.test(name) ? main : name);
     if (/\.obj$/i.test(name)) return [...text.matchAll(/^mtllib\s+(.+?)\s*$/gm)].map(([, said]) => folder + said!);
     if (/\.gltf$/i.test(name)) return [...text.matchAll(/"uri"\s*:\s*"(?!data:)([^"\n]+)"/g)].map(([, said]) => folder + unescaped(said!));
+    if (/\.mtl$/i.test(name)) return [...text.matchAll(/^[ \t]*map_(?:Kd|d)[ \t]+(.+?)\s*$/gm)].map(([, said]) => folder + withoutOptions(said!));
     const words = /\.glint$/i.test(name) ? /(?:^|[\s{])(?:include\s+|file\s*=\s*)"([^"\n]+)"/g : /(?:^|[\s#])include\s+"([^"\n]+)"/g;
     return [...text.matchAll(words)].map(([, said]) => (said!.startsWith('/') ? said! : folder + said!));
 }
+
+/** A converted scene that is placed in a folder: its files' names start from there. */
+export const placedIn = (folder: string, glint: string) => (folder === '' ? glint : glint.replaceAll(`file = "${folder}`, 'file = "'));
 
 /** The texts that some names of a scene stand for, and all that these include, as far as they are among the files. */
 export function textsFor(names: readonly string[], main: string, files: readonly SceneText[]): SceneText[] {

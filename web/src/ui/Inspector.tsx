@@ -144,6 +144,12 @@ function sumWords(hit: ExplainedHit, fog: ExplainedRay['fog']): string {
     return `weight × ${areApart ? `(${sum} + ${highlights === 1 ? '' : `${short(highlights)} × `}all specular)` : sum}${fog && !isBlack(fog.added) ? ' + fog' : ''}`;
 }
 
+/** Where a texture is read, and what its color does. */
+function textureText(texture: NonNullable<ExplainedHit['texture']>): string {
+    const place = `${texture.name ? `${texture.name} ` : ''}at u ${short(texture.u)}, v ${short(texture.v)}`;
+    return `${place}; ${texture.mix === 'multiply' ? 'multiplies color, k_a and k_d' : 'replaces the color'}`;
+}
+
 function Ray({explanation, number, depth}: {explanation: Explanation; number: number; depth: number}) {
     const ray = explanation.rays[number]!;
     const {hit} = ray;
@@ -167,6 +173,7 @@ function Ray({explanation, number, depth}: {explanation: Explanation; number: nu
                     <Term name="object" place={hit.shape} formula={`t = ${short(ray.t)}`} value={itemName(hit.shape)} />
                     <Term name="P" place={hit.shape} value={shortVector(hit.point)} />
                     <Term name="N" place={hit.shape} formula={`${hit.side} side${hit.normal_turned ? ', turned' : ''}`} value={shortVector(hit.normal)} />
+                    {hit.texture && <Term name="texture" place={hit.material} formula={textureText(hit.texture)} value={shortColor(hit.texture.color)} />}
                     <Term name="weight" place={ray.parent === null ? null : explanation.rays[ray.parent]!.hit?.material} formula={absorbed ? 'of this ray in the pixel, after glass and fog' : 'of this ray in the pixel'} value={shortColor(hit.weight)} />
                     {hit.opacity !== undefined && <Term name="opacity" place={hit.material} formula="the rest is what is behind" value={short(hit.opacity)} />}
                     {hit.outline !== undefined && <Term name="outline" place={hit.material} formula="times the diffuse light" value={short(hit.outline)} />}
