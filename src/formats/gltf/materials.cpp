@@ -202,6 +202,9 @@ std::optional<MaterialUse> Materials::read(JsonValue at) {
     }
     if (File::extension(at, "KHR_materials_unlit").exists()) {
         use.is_unlit = true;
+        if (use.has_texture)
+            file_.warn_once("gltf unlit", at, "glint does not draw the textures of unlit materials");
+        material.texture = k_none;
         material.emission = material.color = limited(base.color);
         material.ambient = material.diffuse = material.specular = {};
     }
