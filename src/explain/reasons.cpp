@@ -3,6 +3,7 @@
 #include <array>
 
 #include "glint/explain.h"
+#include "scene/material_color.h"
 
 namespace glint {
 namespace {

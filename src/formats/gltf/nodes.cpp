@@ -120,7 +120,7 @@ bool Nodes::place_below(CountedVector<std::uint32_t>& roots) {
         std::uint32_t node = 0, parent = k_none;  // the parent's number in placed_
     };
     CountedVector<Open> open;  // the next one is the last
-    for (auto root = roots.rbegin(); root != roots.rend(); ++root) open.push_back({*root, k_none});
+    for (std::size_t i = roots.size(); i-- > 0;) open.push_back({roots[i], k_none});
     CountedVector<std::uint32_t> children;
     while (!open.empty()) {
         const Open next = open.back();
@@ -140,8 +140,7 @@ bool Nodes::place_below(CountedVector<std::uint32_t>& roots) {
         if (number % k_steps == k_steps - 1 && !file_.go_on(at)) return false;
         children.clear();
         if (!add_children(at.find("children"), children)) return false;
-        for (auto child = children.rbegin(); child != children.rend(); ++child)
-            open.push_back({*child, number});
+        for (std::size_t i = children.size(); i-- > 0;) open.push_back({children[i], number});
     }
     return true;
 }
