@@ -26,7 +26,7 @@ std::vector<PreparedTexture> prepare_textures(std::span<const Texture> textures)
 
 /// The place of a surface point in a texture's picture.
 struct TexturePlace {
-    double u = 0, v = 0;  // after Texture::uv_map; finite
+    double u = 0, v = 0;  // after Texture::uv_map; any numbers
 };
 
 /// A texture at a place: the texels, and how they are mixed.
@@ -39,7 +39,7 @@ struct TextureSample {
     double alpha = 1;
 };
 
-/// The place of a surface's point; nothing without texture coordinates, or where the picture is not.
+/// The place of a surface's point. Nothing without texture coordinates.
 std::optional<TexturePlace> texture_place(const PackedGeometry& geometry, const PreparedTexture& texture,
                                           SurfaceId id, Vec3 point);
 
