@@ -169,12 +169,11 @@ struct SurfaceBatch {
     const std::uint32_t* row = nullptr;
     std::vector<double> colored_rows;
     BatchColumn<std::uint32_t> colored_row;
-    // The same for the values of the second table (ExtendedLanes): with textures that have alpha, one for
-    // each hit.
+    // The same for the values of the second table (ExtendedLanes): with textures that have alpha, as
+    // colored_row.
     const double* extended = nullptr;
     const std::uint32_t* extended_row = nullptr;
     std::vector<double> faded_rows;
-    BatchColumn<std::uint32_t> faded_row;
     BatchColumn<double> behind;  // 1: the ray hit the back of the shape; else 0
     BatchColumn<double> hit_t;   // for Beer's law, fog, sees_back(): t of the hit, from RayFields::start on
     BatchColumn<double> fog[3], visibility;  // the fog's weighted light, and f; if the scene has fog

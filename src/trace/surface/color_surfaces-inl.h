@@ -7,6 +7,8 @@
 #define GLINT_TRACE_COLOR_SURFACES_INL_H_
 #endif
 
+#include <optional>
+
 #include "trace/batches.h"
 #include "trace/columns.h"
 #include "world/appearance/appearance.h"
@@ -15,10 +17,13 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Writes the values of the hits' materials with the colors of their shapes, meshes' vertices or textures.
-/// Consecutive hits of one surface share a row if its color is the same everywhere.
+/// Writes the values of the hits' materials with the colors of their shapes, meshes' vertices or textures,
+/// and those of the second table with the alpha of textures. Consecutive hits of one surface share a row if
+/// its color is the same everywhere.
 inline void write_colored_rows(const WorldParts& world, SurfaceBatch& surfaces) {
     surfaces.colored_rows.resize(std::size_t{k_batch_size} * k_material_values);
+    const bool fades = world.has_alpha_textures;
+    if (fades) surfaces.faded_rows.resize(std::size_t{k_batch_size} * k_extended_values);
     std::uint32_t* rows = surfaces.colored_row.data();
     std::uint32_t row = 0;
     for (int h = 0; h < surfaces.count; ++h) {
@@ -26,28 +31,22 @@ inline void write_colored_rows(const WorldParts& world, SurfaceBatch& surfaces) 
         if (h == 0 || world.has_point_colors() || id != surfaces.surface(h - 1)) {
             if (h > 0) ++row;
             const Vec3 point = vec3_at(surfaces.point, h);
-            write_surface_values(world, id, &point,
+            const std::optional<TextureSample> texture = surface_texture(world, id, point);
+            write_surface_values(world, id, &point, texture,
                                  surfaces.colored_rows.data() + std::size_t{row} * k_material_values);
+            if (fades)
+                write_extended_values(world, id, texture,
+                                      surfaces.faded_rows.data() + std::size_t{row} * k_extended_values);
         }
         rows[h] = row;
     }
     std::fill_n(rows + surfaces.count, k_ray_padding, row);
     surfaces.rows = surfaces.colored_rows.data();
     surfaces.row = rows;
-}
-
-/// Writes the values of the second table with the alpha of textures, for each hit.
-inline void write_faded_rows(const WorldParts& world, SurfaceBatch& surfaces) {
-    surfaces.faded_rows.resize(std::size_t{k_batch_size} * k_extended_values);
-    std::uint32_t* const rows = surfaces.faded_row.data();
-    for (int h = 0; h < surfaces.count; ++h) {
-        rows[h] = static_cast<std::uint32_t>(h);
-        write_extended_values(world, surfaces.surface(h), vec3_at(surfaces.point, h),
-                              surfaces.faded_rows.data() + std::size_t{rows[h]} * k_extended_values);
+    if (fades) {
+        surfaces.extended = surfaces.faded_rows.data();
+        surfaces.extended_row = rows;
     }
-    std::fill_n(rows + surfaces.count, k_ray_padding, static_cast<std::uint32_t>(surfaces.count - 1));
-    surfaces.extended = surfaces.faded_rows.data();
-    surfaces.extended_row = rows;
 }
 
 /// Finds the material of each surface, and the values of materials that lighting reads.
@@ -66,7 +65,6 @@ inline void color_surfaces(const WorldParts& world, SurfaceBatch& surfaces) {
     surfaces.row = materials;
     surfaces.extended = world.extended->data();
     surfaces.extended_row = materials;
-    if (world.has_alpha_textures) write_faded_rows(world, surfaces);
     if (world.has_surface_colors()) write_colored_rows(world, surfaces);
 }
 

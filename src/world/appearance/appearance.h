@@ -48,15 +48,14 @@ inline void replace_color(const WorldParts& world, std::uint32_t row, Color colo
     }
 }
 
-/// Writes the k_material_values of a surface: its material's row, with its own_color() and its texture.
-/// Without a point, the texture is white.
-inline void write_surface_values(const WorldParts& world, SurfaceId id, const Vec3* point, double* to) {
+/// Writes the k_material_values of a surface: its material's row, with its own_color() and a texture, if it
+/// has one. Without a point, the color is the largest of the mesh's triangle.
+inline void write_surface_values(const WorldParts& world, SurfaceId id, const Vec3* point,
+                                 const std::optional<TextureSample>& texture, double* to) {
     const std::uint32_t row = material_row(world, id);
     std::copy_n(world.material(row), k_material_values, to);
     const ShapeColor color = own_color(world, id, point);
     if (color.is_set()) replace_color(world, row, color.color(), to);
-    if (point == nullptr) return;
-    const std::optional<TextureSample> texture = surface_texture(world, id, *point);
     if (!texture) return;
     if (world.texture_of(row)->mix == TextureMix::replace)
         return replace_color(world, row, texture->color, to);
@@ -65,18 +64,11 @@ inline void write_surface_values(const WorldParts& world, SurfaceId id, const Ve
         for (const int k : {k_color, k_ambient, k_diffuse}) to[k + c] *= channels[c];
     }
 }
-/// With the largest color of a mesh's triangle.
+/// With the largest color of a mesh's triangle, and a white texture.
 inline std::array<double, k_material_values> surface_values(const WorldParts& world, SurfaceId id) {
     std::array<double, k_material_values> values{};
-    write_surface_values(world, id, nullptr, values.data());
+    write_surface_values(world, id, nullptr, {}, values.data());
     return values;
-}
-
-/// The color of the surface at a point.
-inline Color surface_color(const WorldParts& world, SurfaceId id, Vec3 point) {
-    double values[k_material_values];
-    write_surface_values(world, id, &point, values);
-    return {values[k_color], values[k_color + 1], values[k_color + 2]};
 }
 
 /// The word of the object to which the surface belongs (FogInteriors); 0: it is hollow.
@@ -126,25 +118,25 @@ inline bool colors_light(const WorldParts& world, SurfaceId id) {
     return world.is_transparent(row) && casts_shadow_by_row(world, row);
 }
 
-/// The part of a surface's opacity that its texture leaves at a point.
-inline double texture_opacity(const WorldParts& world, SurfaceId id, Vec3 point) {
-    const PreparedTexture* const texture = world.texture_of(material_row(world, id));
-    if (texture == nullptr || !texture->has_alpha()) return 1;
-    const std::optional<TextureSample> sample = surface_texture(world, id, point);
-    return sample ? texture->opacity(sample->alpha) : 1;
+/// The part of a surface's opacity that its texture leaves.
+inline double texture_opacity(const WorldParts& world, SurfaceId id,
+                              const std::optional<TextureSample>& texture) {
+    return texture ? world.texture_of(material_row(world, id))->opacity(texture->alpha) : 1;
 }
 
 /// Whether the surface has a hole at a point (TextureAlpha::mask).
 inline bool is_hole(const WorldParts& world, SurfaceId id, Vec3 point) {
     const PreparedTexture* const texture = world.texture_of(material_row(world, id));
-    return texture != nullptr && texture->alpha == TextureAlpha::mask &&
-           texture_opacity(world, id, point) == 0;
+    return texture != nullptr && texture->alpha == TextureAlpha::mask && texture->has_alpha() &&
+           texture_opacity(world, id, surface_texture(world, id, point)) == 0;
 }
 
-/// Writes the k_extended_values of a surface: its material's row, with the transparency of its texture.
-inline void write_extended_values(const WorldParts& world, SurfaceId id, Vec3 point, double* to) {
+/// Writes the k_extended_values of a surface: its material's row, with the transparency of a texture, if it
+/// has one.
+inline void write_extended_values(const WorldParts& world, SurfaceId id,
+                                  const std::optional<TextureSample>& texture, double* to) {
     std::copy_n(world.extended_row(material_row(world, id)), k_extended_values, to);
-    const double opacity = texture_opacity(world, id, point);
+    const double opacity = texture_opacity(world, id, texture);
     if (opacity == 1) return;
     to[k_extended_value<&Material::filter>] *= opacity;
     double& transmit = to[k_extended_value<&Material::transmit>];
@@ -156,12 +148,15 @@ inline constexpr double k_min_filter = 0x1p-10;
 
 /// The factor of light that passes a transparent surface: transmit + filter * color.
 inline Color shadow_factor(const WorldParts& world, SurfaceId id, Vec3 point) {
-    double values[k_extended_values];
-    write_extended_values(world, id, point, values);
-    const Color color = surface_color(world, id, point);
+    const std::optional<TextureSample> texture = surface_texture(world, id, point);
+    double values[k_extended_values], look[k_material_values];
+    write_extended_values(world, id, texture, values);
     const double filter = values[k_extended_value<&Material::filter>],
                  transmit = values[k_extended_value<&Material::transmit>];
-    return {transmit + filter * color.r, transmit + filter * color.g, transmit + filter * color.b};
+    if (filter == 0) return {transmit, transmit, transmit};
+    write_surface_values(world, id, &point, texture, look);
+    const double* const color = look + k_color;
+    return {transmit + filter * color[0], transmit + filter * color[1], transmit + filter * color[2]};
 }
 
 /// Whether the surface blocks light at a point by itself: also a transparent one that lets nothing through
