@@ -31,9 +31,8 @@ constexpr SpellingHint k_texture_hints[] = {{"image", "`file`"},         {"map",
                                             {"projection", "`mapping`"}, {"interpolate", "`filter`"},
                                             {"gamma", "`encoding`"}};
 
-std::string words_of_list(std::string_view what) {
-    return fmt::format("a word of 6, 8, 12 or 16 hexadecimal digits for each {}", what);
-}
+constexpr std::string_view k_texel_words =
+    "a word of 6, 8, 12 or 16 hexadecimal digits for each texel, as many in all";
 
 // The rows of a list of texels.
 class TexelRows {
@@ -48,12 +47,12 @@ class TexelRows {
             row.remove_prefix(word.size());
             if (digits_ == 0) digits_ = word.size();
             const bool is_word = digits_ == 6 || digits_ == 8 || digits_ == 12 || digits_ == 16;
-            if (!is_word || word.size() != digits_) return words_of_list("texel, of the same length in all");
-            for (std::size_t i = 0; i < digits_; i += bits_digits()) {
+            if (!is_word || word.size() != digits_) return std::string(k_texel_words);
+            for (std::size_t i = 0; i < digits_; i += channel_digits()) {
                 std::uint32_t value = 0;
-                for (std::size_t k = 0; k < bits_digits(); ++k) {
+                for (std::size_t k = 0; k < channel_digits(); ++k) {
                     const int digit = hex_digit(word[i + k]);
-                    if (digit < 0) return words_of_list("texel");
+                    if (digit < 0) return std::string(k_texel_words);
                     value = value * 16 + static_cast<std::uint32_t>(digit);
                 }
                 words_.push_back(static_cast<std::uint16_t>(value));
@@ -82,12 +81,33 @@ class TexelRows {
     }
 
   private:
-    std::size_t bits_digits() const { return digits_ > 8 ? 4 : 2; }
+    std::size_t channel_digits() const { return digits_ > 8 ? 4 : 2; }
 
     std::size_t digits_ = 0;  // of a texel
     std::uint32_t width_ = 0, height_ = 0;
     std::vector<std::uint16_t> words_;
 };
+
+// Reads the list of `texels`: a string for each row, from the top. Null after an error.
+std::shared_ptr<const TextureImage> read_texels(GlintText& t) {
+    TexelRows rows;
+    const auto errors = t.reading.diagnostics.error_count();
+    const bool is_list = read_list(t, "a string for each row of texels", [&] {
+        const Token at = t.p.token();
+        if (at.kind != TokenKind::string) {
+            t.p.expected("a row of texels in quotes");
+            return false;
+        }
+        t.p.take();
+        const std::string wrong = rows.add(t.p.name(at));
+        if (!wrong.empty()) t.p.error(at, "expected " + wrong);
+        return wrong.empty();
+    });
+    if (!is_list || errors != t.reading.diagnostics.error_count()) return nullptr;
+    auto image = rows.image();
+    if (!image) t.p.expected("at least one row of texels");
+    return image;
+}
 
 }  // namespace
 
@@ -174,26 +194,6 @@ void GlintTextures::finish(LoadState& reading) {
         reading.diagnostics.error(
             use.place, use.token.offset, use.token.length,
             fmt::format("no texture is called {}{}", quoted(name), did_you_mean(name, names)));
-}
-
-std::shared_ptr<const TextureImage> read_texels(GlintText& t) {
-    TexelRows rows;
-    const auto errors = t.reading.diagnostics.error_count();
-    const bool is_list = read_list(t, "a string for each row of texels", [&] {
-        const Token at = t.p.token();
-        if (at.kind != TokenKind::string) {
-            t.p.expected("a row of texels in quotes");
-            return false;
-        }
-        t.p.take();
-        const std::string wrong = rows.add(t.p.name(at));
-        if (!wrong.empty()) t.p.error(at, "expected " + wrong);
-        return wrong.empty();
-    });
-    if (!is_list || errors != t.reading.diagnostics.error_count()) return nullptr;
-    auto image = rows.image();
-    if (!image) t.p.expected("at least one row of texels");
-    return image;
 }
 
 bool ValueReader::operator()(TextureType, std::uint32_t& texture) const {

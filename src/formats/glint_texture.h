@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The textures of .glint, which materials refer to by their names.
-#include <memory>
-#include <set>
 #include <string>
 
 #include "formats/glint_text.h"
@@ -36,9 +34,5 @@ class GlintTextures {
     CountedMap<std::string, std::uint32_t> known_;  // by name
     CountedMap<std::string, Use> undefined_;        // names that are used and not defined yet
 };
-
-/// Reads a texel image of `texels`: a string for each row, from the top, of words of 6, 8, 12 or 16
-/// hexadecimal digits. Null after an error.
-std::shared_ptr<const TextureImage> read_texels(GlintText& t);
 
 }  // namespace glint

@@ -29,7 +29,7 @@ constexpr std::string_view k_without_map = "its surfaces are drawn without it";
 
 std::shared_ptr<const TextureImage> image_of(LoadState& reading, const MtlMap& map, std::string& path) {
     const ReadText from{reading.texts[map.file], map.file, true};
-    return optional_texture_image(reading, from, map.at, map.name, path, k_without_map);
+    return texture_image_of_file(reading, from, map.at, map.name, path, k_without_map);
 }
 
 // The opacity in a texel: its alpha, else the mean of its channels.

@@ -23,55 +23,34 @@ bool is_picture_name(std::string_view name) {
     return std::any_of(std::begin(k_picture_extensions), std::end(k_picture_extensions), ends_with);
 }
 
-std::string wrong_name(const std::string& name) {
-    return fmt::format("{}: expected the name of a file that ends in {}", quoted(name),
-                       one_of(k_picture_extensions));
-}
-
-// report(what) tells what is wrong with the file.
-template <class Report>
-std::shared_ptr<const TextureImage> image_of_text(LoadState& reading, const ReadText& text, std::string& path,
-                                                  const Report& report) {
-    path = reading.scene.files[text.file];
-    if (const auto known = reading.texture_images.find(text.file); known != reading.texture_images.end())
-        return known->second;
-    std::string why;
-    auto image = decode_texture_image(reading, text.place.text, why);
-    if (!image) report(why);
-    reading.texture_images.emplace(text.file, image);
-    return image;
-}
-
 }  // namespace
 
 std::shared_ptr<const TextureImage> texture_image_of_file(LoadState& reading, const ReadText& from,
                                                           const Token& at, const std::string& name,
-                                                          std::string& path) {
+                                                          std::string& path, std::string_view without) {
+    const auto report = [&](std::string_view what) {
+        if (without.empty()) {
+            reading.diagnostics.error(from.place, at.offset, at.length,
+                                      fmt::format("{}: {}", quoted(name), what));
+        } else {
+            reading.diagnostics.warn(from.place, at.offset, at.length,
+                                     fmt::format("{}: {}; {}", quoted(name), what, without));
+        }
+    };
     if (!is_picture_name(name)) {
-        reading.diagnostics.error(from.place, at.offset, at.length, wrong_name(name));
+        report(fmt::format("expected the name of a file that ends in {}", one_of(k_picture_extensions)));
         return nullptr;
     }
-    const auto text = open_text(reading, from, at, name);
+    const auto text = without.empty() ? open_text(reading, from, at, name)
+                                      : open_optional_text(reading, from, at, name, without);
     if (!text) return nullptr;
-    return image_of_text(reading, *text, path, [&](const std::string& why) {
-        reading.diagnostics.error(from.place, at.offset, at.length, fmt::format("{}: {}", quoted(name), why));
-    });
-}
-
-std::shared_ptr<const TextureImage> optional_texture_image(LoadState& reading, const ReadText& from,
-                                                           const Token& at, const std::string& name,
-                                                           std::string& path, std::string_view without) {
-    if (!is_picture_name(name)) {
-        reading.diagnostics.warn(from.place, at.offset, at.length,
-                                 fmt::format("{}; {}", wrong_name(name), without));
-        return nullptr;
-    }
-    const auto text = open_optional_text(reading, from, at, name, without);
-    if (!text) return nullptr;
-    return image_of_text(reading, *text, path, [&](const std::string& why) {
-        reading.diagnostics.warn(from.place, at.offset, at.length,
-                                 fmt::format("{}: {}; {}", quoted(name), why, without));
-    });
+    path = reading.scene.files[text->file];
+    const auto [known, is_new] = reading.texture_images.try_emplace(text->file);
+    if (!is_new) return known->second;
+    std::string why;
+    known->second = decode_texture_image(reading, text->place.text, why);
+    if (!known->second) report(why);
+    return known->second;
 }
 
 std::shared_ptr<const TextureImage> decode_texture_image(LoadState& reading, std::string_view bytes,

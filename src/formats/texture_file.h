@@ -14,15 +14,11 @@ inline constexpr std::string_view k_picture_extensions[] = {".png", ".jpg", ".jp
 
 /// The image of the file `name`, relative to the text `from`; a file is decoded once, and only if its
 /// name ends as a picture's. path: its name in
-/// Scene::files. Null after an error, which is reported at `at`.
+/// Scene::files. Null after an error, which is reported at `at`. without: if the scene can do without the
+/// picture, the end of the warning that then stands for an error.
 std::shared_ptr<const TextureImage> texture_image_of_file(LoadState& reading, const ReadText& from,
                                                           const Token& at, const std::string& name,
-                                                          std::string& path);
-
-/// The same for a file that the scene can do without: a warning that ends with `without` instead of an error.
-std::shared_ptr<const TextureImage> optional_texture_image(LoadState& reading, const ReadText& from,
-                                                           const Token& at, const std::string& name,
-                                                           std::string& path, std::string_view without);
+                                                          std::string& path, std::string_view without = {});
 
 /// Decodes the bytes of a PNG, JPEG, TGA or PPM file. Null, and `why`, if they are none or too large.
 std::shared_ptr<const TextureImage> decode_texture_image(LoadState& reading, std::string_view bytes,

@@ -205,6 +205,7 @@ std::optional<MaterialUse> Materials::read(JsonValue at) {
         if (use.has_texture)
             file_.warn_once("gltf unlit", at, "glint does not draw the textures of unlit materials");
         material.texture = k_none;
+        use.has_texture = false;
         material.emission = material.color = limited(base.color);
         material.ambient = material.diffuse = material.specular = {};
     }

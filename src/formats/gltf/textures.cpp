@@ -93,7 +93,7 @@ bool Textures::read_picture(JsonValue image, Picture& picture) {
         return true;
     }
     picture.texels =
-        optional_texture_image(file_.reading, file_.text, file_.token(uri), *file, picture.file, k_without);
+        texture_image_of_file(file_.reading, file_.text, file_.token(uri), *file, picture.file, k_without);
     return true;
 }
 
