@@ -118,7 +118,8 @@ struct ExplainedTexture {
     std::uint32_t texture = k_none;  ///< in Scene::textures
     double u = 0, v = 0;             ///< of the surface, after Texture::uv_map
     /// The texels that are mixed: two columns, counted from the left from 0, and two rows, from the top. With
-    /// TextureFilter::nearest, the second ones are the first.
+    /// TextureFilter::nearest, the second ones are the first; beside the picture, with TextureWrap::clip, all
+    /// are -1.
     int column = 0, next_column = 0, row = 0, next_row = 0;
     double next_column_weight = 0, next_row_weight = 0;  ///< the first ones have 1 minus these
     Color color;                                         ///< decoded and mixed

@@ -29,8 +29,8 @@ struct TextureImage {
 
 /// What is beside the picture, where u or v is below 0 or above 1. repeat: the picture again. mirror: the
 /// picture again, every other one reversed. clamp: the texels of its border. once: nothing; the surface
-/// has no texture there.
-enum class TextureWrap : std::uint8_t { repeat, mirror, clamp, once };
+/// has no texture there. clip: black texels of alpha 0.
+enum class TextureWrap : std::uint8_t { repeat, mirror, clamp, once, clip };
 
 /// nearest: the texel that contains the point. bilinear: between the middles of the four nearest texels.
 enum class TextureFilter : std::uint8_t { nearest, bilinear };
@@ -79,8 +79,11 @@ struct Texture {
     Affine world_from_texture{};  ///< for mappings other than uv; invertible
     std::string file{};           ///< the name of the picture's file; empty: none
 
+    bool has_wrap(TextureWrap wrap) const { return wrap_u == wrap || wrap_v == wrap; }
     /// Whether surfaces may be transparent where it is.
-    bool has_alpha() const { return alpha != TextureAlpha::ignore && image && image->has_alpha; }
+    bool has_alpha() const {
+        return alpha != TextureAlpha::ignore && image && (image->has_alpha || has_wrap(TextureWrap::clip));
+    }
     /// The part of a surface's opacity that is left where the texels have this alpha.
     double opacity(double texel_alpha) const {
         if (!has_alpha()) return 1;

@@ -86,7 +86,7 @@ void check_coordinates(CheckContext& context) {
 
 // Whether the picture has nothing but what its alpha makes invisible.
 bool is_invisible(const Texture& texture) {
-    if (!texture.has_alpha() || texture.wrap_u == TextureWrap::once || texture.wrap_v == TextureWrap::once)
+    if (!texture.has_alpha() || !texture.image->has_alpha || texture.has_wrap(TextureWrap::once))
         return false;
     return std::visit(
         [&](const auto& words) {
@@ -158,7 +158,8 @@ OnceTextures find_once(const CheckContext& context) {
         if (!uv) continue;
         found.has_surface[index] = true;
         const auto reaches = [&](TextureWrap wrap, const double(&row)[3]) {
-            return wrap != TextureWrap::once || reaches_picture(row, (*uv)[0], (*uv)[1]);
+            const bool ends = wrap == TextureWrap::once || wrap == TextureWrap::clip;
+            return !ends || reaches_picture(row, (*uv)[0], (*uv)[1]);
         };
         found.reaches[index] =
             reaches(texture->wrap_u, texture->uv_map.m[0]) && reaches(texture->wrap_v, texture->uv_map.m[1]);

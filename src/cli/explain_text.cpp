@@ -50,7 +50,9 @@ std::string texture_text(const Scene& scene, const ExplainedTexture& t) {
     std::string text =
         fmt::format("{} at u {}, v {}: ", item_text(scene, scene.texture_texts, t.texture, "texture"),
                     number(t.u), number(t.v));
-    if (texture.filter == TextureFilter::nearest) {
+    if (t.column < 0) {
+        text += "beside the picture";
+    } else if (texture.filter == TextureFilter::nearest) {
         text += fmt::format("texel in column {}, row {}", t.column, t.row);
     } else {
         text += fmt::format("texels in columns {} ({}) and {} ({}), rows {} ({}) and {} ({})", t.column,

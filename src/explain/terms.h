@@ -115,9 +115,10 @@ inline constexpr ExplainedTerm<ExplainedOcclusion> k_occlusion_terms[] = {
 inline constexpr ExplainedTerm<ExplainedTexture> k_texture_terms[] = {
     {"u", &ExplainedTexture::u, "u in the picture, to the right"},
     {"v", &ExplainedTexture::v, "v in the picture, up"},
-    {"column", &ExplainedTexture::column, "of the first texel, from the left, from 0"},
+    {"column", &ExplainedTexture::column,
+     "of the first texel, from the left, from 0; -1 beside the picture, with the wrap clip"},
     {"next_column", &ExplainedTexture::next_column, "of the texel that is mixed with it"},
-    {"row", &ExplainedTexture::row, "of the first texel, from the top, from 0"},
+    {"row", &ExplainedTexture::row, "of the first texel, from the top, from 0; -1 as above"},
     {"next_row", &ExplainedTexture::next_row, "of the texel that is mixed with it"},
     {"next_column_weight", &ExplainedTexture::next_column_weight,
      "the weight of the next column; the first one has the rest"},

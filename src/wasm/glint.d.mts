@@ -456,11 +456,11 @@ export interface TextureTerms {
     u: number;
     /** v in the picture, up */
     v: number;
-    /** of the first texel, from the left, from 0 */
+    /** of the first texel, from the left, from 0; -1 beside the picture, with the wrap clip */
     column: number;
     /** of the texel that is mixed with it */
     next_column: number;
-    /** of the first texel, from the top, from 0 */
+    /** of the first texel, from the top, from 0; -1 as above */
     row: number;
     /** of the texel that is mixed with it */
     next_row: number;

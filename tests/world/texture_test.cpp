@@ -46,6 +46,24 @@ TEST(Textures, HaveTheirFirstRowAtTheTop) {
     EXPECT_EQ(texel(t, 0.75, 0.1), 5);
 }
 
+TEST(Textures, AreBlackAndTransparentBesideAClippedPicture) {
+    Texture t = small_texture();
+    EXPECT_FALSE(t.has_alpha());
+    t.wrap_u = TextureWrap::clip;
+    EXPECT_TRUE(t.has_alpha());
+    EXPECT_EQ(texel(t, 0.25, 1.9), 0);  // v is repeated
+    for (const double u : {-0.01, 1.01}) {
+        const auto sample = sampled(t, u, 0.5);
+        ASSERT_TRUE(sample);
+        EXPECT_EQ(sample->color, (Color{0, 0, 0}));
+        EXPECT_EQ(sample->alpha, 0);
+        EXPECT_EQ(sample->columns[0], -1);
+    }
+    EXPECT_EQ(sampled(t, 1, 0.5)->alpha, 1);
+    t.wrap_v = TextureWrap::once;
+    EXPECT_FALSE(sampled(t, 2, 2));
+}
+
 TEST(Textures, WrapInFourWays) {
     Texture t = small_texture();
     t.wrap_u = t.wrap_v = TextureWrap::repeat;
@@ -124,6 +142,7 @@ TEST(Textures, MixAcrossTheirBorders) {
     EXPECT_EQ(columns_at(TextureWrap::mirror, 0.1), (Columns{0, 0}));
     EXPECT_EQ(columns_at(TextureWrap::clamp, 0.9), (Columns{1, 1}));
     EXPECT_EQ(columns_at(TextureWrap::once, 0.9), (Columns{1, 1}));
+    EXPECT_EQ(columns_at(TextureWrap::clip, 0.9), (Columns{1, 1}));
 }
 
 TEST(Textures, OfOneTexelAreOneColor) {

@@ -55,6 +55,7 @@ std::optional<double> wrapped(double x, TextureWrap wrap) {
         case TextureWrap::clamp:
             return x < 0 ? 0 : x > 1 ? 1 : x;
         case TextureWrap::once:
+        case TextureWrap::clip:
             if (x < 0 || x > 1) return std::nullopt;
             return x;
     }
@@ -167,7 +168,9 @@ std::optional<TexturePlace> texture_place(const PackedGeometry& geometry, const 
 
 std::optional<TextureSample> sample_texture(const PreparedTexture& texture, TexturePlace place) {
     const auto u = wrapped(place.u, texture.wrap_u), v = wrapped(place.v, texture.wrap_v);
-    if (!u || !v) return std::nullopt;
+    if ((!u && texture.wrap_u == TextureWrap::once) || (!v && texture.wrap_v == TextureWrap::once))
+        return std::nullopt;
+    if (!u || !v) return TextureSample{place, {-1, -1}, {-1, -1}, 0, 0, {}, 0};
     const TextureImage& image = *texture.image;
     const Pair columns = texels_at(*u, image.width, texture.wrap_u, texture.filter),
                rows = texels_at(1 - *v, image.height, texture.wrap_v, texture.filter);

@@ -32,7 +32,8 @@ struct TexturePlace {
 /// A texture at a place: the texels, and how they are mixed.
 struct TextureSample {
     TexturePlace place;
-    /// The texels' columns from the left and rows from the top; with TextureFilter::nearest, the first ones.
+    /// The texels' columns from the left and rows from the top; with TextureFilter::nearest, the first ones;
+    /// -1 beside the picture, with TextureWrap::clip.
     std::array<std::int32_t, 2> columns{}, rows{};
     double right = 0, lower = 0;  // weights of the second column and of the second row
     Color color;
