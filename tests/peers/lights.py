@@ -17,6 +17,7 @@ class Rule:
     alpha: bool = False  # both write an alpha channel
     flags: tuple = ()  # of the peer's command
     args: tuple = ()  # further arguments of glint render
+    files: dict = dataclasses.field(default_factory=dict)  # bytes of further files, by name
 
 
 # A floor with two balls, seen from (0, 3, -8) along (0, -0.35, 1).

@@ -16,6 +16,7 @@ import alpha
 import dat
 import finish
 import fog
+import images
 import lights
 import output
 import pov
@@ -23,7 +24,8 @@ import sky
 import transparency
 
 SHARE = 0.99
-LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES, output.RULES, dat.RULES, pov.RULES]
+LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES, output.RULES, dat.RULES, pov.RULES,
+         images.RULES]
 
 
 def read_ppm(path):
@@ -138,6 +140,8 @@ def main():
         folder = top / rule.name
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
+        for name, data in rule.files.items():
+            (folder / name).write_bytes(data)
         try:
             share, most = compare(folder, rule, glint)
             good = share >= SHARE

@@ -94,9 +94,15 @@ MaterialValue TextureParser::read_material() {
     MaterialValue material;
     const Deeper deeper(*this);
     if (!deeper.ok || !expect('{')) return material;
-    std::optional<Affine> map;
     while (!failed() && !accept('}')) {
-        if (read_transform_item(map)) continue;
+        if (std::optional<Affine> step; read_transform_item(step)) {
+            if (!material.texture || !material.texture->pigment.image || material.texture->has_own_place())
+                continue;
+            auto moved = make_counted<Texture>(*material.texture);
+            transform_image(moved->pigment, step);
+            material.texture = std::move(moved);
+            continue;
+        }
         const Token item = take();
         if (item.word() == Word::k_texture) {
             material.texture = layered(material.texture, read_texture());

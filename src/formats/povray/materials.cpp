@@ -55,7 +55,8 @@ TextureNumbers numbers_of(const Texture& texture) {
             f.diffuse_back,
             f.reflection_exponent,
             f.reflection_fresnel ? 1.0 : 0.0,
-            f.conserve_energy ? 1.0 : 0.0};
+            f.conserve_energy ? 1.0 : 0.0,
+            texture.pigment.image_number};
 }
 
 bool has_warnings(const Texture& texture) {
@@ -68,9 +69,11 @@ std::uint32_t SceneBuilder::material_of(const Inherited& own, const Token& at) {
     const Finish& f = texture.finish;
     const std::array<double, 5>& p = texture.pigment.color;
     const double glass = glass_of(own);
-    NumberTable<33>::Key key;
+    NumberTable<34>::Key key;
     const TextureNumbers numbers = numbers_of(texture);
     *std::copy(numbers.begin(), numbers.end(), key.begin()) = own.is_no_shadow ? 1.0 : 0.0;
+    const std::uint32_t image = texture.pigment.image ? texture_of(own, at) : k_none;
+    if (image != k_none) key[numbers.size() - 1] = image + 1.0;
     key.back() = glass > 0 ? own.interior->ior : 0.0;
     const bool is_last = last_material_ != k_none && key == last_key_;
     if (is_last && is_last_plain_ && has_nothing_else(texture, own.interior, own.is_merge))
@@ -83,6 +86,7 @@ std::uint32_t SceneBuilder::material_of(const Inherited& own, const Token& at) {
     Material m;
     const Color pigment{p[0], p[1], p[2]};
     m.color = pigment;
+    m.texture = image;
     m.ambient = times(p, f.ambient);
     m.emission = times(p, f.emission);
     m.diffuse = pigment * f.diffuse;
@@ -132,7 +136,8 @@ void SceneBuilder::report_texture(const Inherited& own, const Token& at) {
     report(texture.missing);
     if (texture.pigment.missing) report(*texture.pigment.missing);
     report(f.missing);
-    const bool is_transparent = p[3] != 0 || p[4] != 0;
+    const bool is_transparent =
+        p[3] != 0 || p[4] != 0 || (texture.pigment.image && texture.pigment.image->has_alpha());
     const auto check = [&](bool is_used, std::string_view name, std::string_view meaning) {
         if (is_used && !reading_.diagnostics.warned(name)) report({name, meaning, stream_.call_place(at)});
     };

@@ -95,6 +95,29 @@ CountedVector<Float3> ObjectParser::read_points(Float3 (*convert)(Vec3), ReadMes
     return points;
 }
 
+// <u, v>; a single number is both.
+Vec3 ObjectParser::uv_vector() {
+    const Numbers uv = promoted(expression(), 2);
+    return {uv.v[0], uv.v[1], 0};
+}
+
+CountedVector<Float3> ObjectParser::read_uv() {
+    CountedVector<Float3> points;
+    if (!open_list()) return points;
+    const std::size_t count = read_count();
+    points.reserve(room_for(count));
+    for (std::size_t i = 0; i < count && !failed(); ++i) {
+        if (list_.at_end()) {
+            points.push_back(ReadMesh::stored_uv(uv_vector()));
+            accept(',');
+        } else {
+            points.push_back(ReadMesh::stored_uv(list_vector()));
+        }
+    }
+    close_list();
+    return points;
+}
+
 std::uint32_t ObjectParser::index_of(double value, const Token& at) {
     if (!failed() && !(value >= 0 && value <= 4e9)) error(at, "expected an index from 0 to 4e9");
     return failed() ? 0 : static_cast<std::uint32_t>(value);
@@ -152,20 +175,21 @@ void ObjectParser::read_faces(ReadMesh& mesh) {
     close_list();
 }
 
-void ObjectParser::read_normal_indices(ReadMesh& mesh) {
+// The numbers of a mesh's normals or uv_vectors at the corners of its faces.
+void ObjectParser::read_corner_indices(CountedVector<TriangleCorners>& corners, std::size_t faces) {
     if (!open_list()) return;
     const Token at = list_.at_end() ? peek() : list_at_;
     const std::size_t count = read_count();
-    if (count > mesh.triangles.size()) {
-        return error(at, fmt::format("expected at most {} normal indices, one for each face, before which "
-                                     "`face_indices` stands",
-                                     mesh.triangles.size()));
+    if (count > faces) {
+        return error(at, fmt::format("expected at most {} triples of indices, one for each face, before "
+                                     "which `face_indices` stands",
+                                     faces));
     }
-    mesh.normal_corners.reserve(room_for(count));
+    corners.reserve(room_for(count));
     for (std::size_t i = 0; i < count && !failed(); ++i) {
-        TriangleCorners normals{};
-        read_face_indices(normals);
-        ReadMesh::set(mesh.normal_corners, i, normals);
+        TriangleCorners numbers{};
+        read_face_indices(numbers);
+        ReadMesh::set(corners, i, numbers);
     }
     close_list();
 }

@@ -24,14 +24,8 @@ class PartBuilder {
         auto data = std::make_shared<MeshData>();
         data->single_positions.assign(mesh_.vertices.begin(), mesh_.vertices.end());
         data->triangles.assign(mesh_.triangles.begin(), mesh_.triangles.end());
-        if (mesh_.normal_corners.empty()) return data;
-        data->normals.values.assign(mesh_.normals.begin(), mesh_.normals.end());
-        const bool is_by_vertex =
-            mesh_.normals.size() == mesh_.vertices.size() && mesh_.normal_corners == mesh_.triangles;
-        if (!is_by_vertex) {
-            data->normals.corners.assign(mesh_.normal_corners.begin(), mesh_.normal_corners.end());
-            data->normals.corners.resize(mesh_.triangles.size(), {k_unset, k_unset, k_unset});
-        }
+        assign(mesh_.normals, mesh_.normal_corners, data->normals);
+        assign(mesh_.uv, mesh_.uv_corners, data->texture_coordinates);
         return data;
     }
 
@@ -43,12 +37,10 @@ class PartBuilder {
         for (const std::uint32_t t : triangles) {
             data->triangles.push_back(
                 numbered(mesh_.triangles[t], mesh_.vertices, vertices_, data->single_positions));
-            if (is_flat) continue;
-            data->normals.corners.push_back(has_normals(t) ? numbered(mesh_.normal_corners[t], mesh_.normals,
-                                                                      normals_, data->normals.values)
-                                                           : TriangleCorners{k_unset, k_unset, k_unset});
+            if (!is_flat) add(t, mesh_.normals, mesh_.normal_corners, normals_, data->normals);
+            if (!mesh_.uv.empty()) add(t, mesh_.uv, mesh_.uv_corners, uv_, data->texture_coordinates);
         }
-        vertices_.clear(), normals_.clear();
+        vertices_.clear(), normals_.clear(), uv_.clear();
         return data;
     }
 
@@ -87,6 +79,22 @@ class PartBuilder {
         }
     };
 
+    // All values of a kind.
+    void assign(const CountedVector<Float3>& values, const CountedVector<TriangleCorners>& corners,
+                CornerValues& to) const {
+        if (corners.empty()) return;
+        to.values.assign(values.begin(), values.end());
+        if (values.size() == mesh_.vertices.size() && corners == mesh_.triangles) return;  // by vertex
+        to.corners.assign(corners.begin(), corners.end());
+        to.corners.resize(mesh_.triangles.size(), {k_unset, k_unset, k_unset});
+    }
+    // Those of a triangle, if it has any.
+    static void add(std::uint32_t t, const CountedVector<Float3>& values,
+                    const CountedVector<TriangleCorners>& corners, Numbering& numbering, CornerValues& to) {
+        to.corners.push_back(ReadMesh::has(corners, t) ? numbered(corners[t], values, numbering, to.values)
+                                                       : TriangleCorners{k_unset, k_unset, k_unset});
+    }
+
     static TriangleCorners numbered(const TriangleCorners& corners, const CountedVector<Float3>& from,
                                     Numbering& numbering, std::vector<Float3>& to) {
         TriangleCorners out{};
@@ -98,7 +106,7 @@ class PartBuilder {
     }
 
     const ReadMesh& mesh_;
-    Numbering vertices_, normals_, colors_;
+    Numbering vertices_, normals_, uv_, colors_;
 };
 
 }  // namespace
@@ -144,8 +152,10 @@ std::uint64_t bytes_of_parts(const ReadMesh& mesh) {
     const auto bytes = [](const auto& list, std::uint64_t item) {
         return MemoryBudget::list_bytes(list.size(), item);
     };
-    // Positions, normals, and the corners of each; colors; the order of the triangles, and their numbers.
+    // Positions, normals, uv_vectors, and the corners of each; colors; the order of the triangles, and their
+    // numbers.
     return bytes(mesh.vertices, sizeof(Float3) + 4) + bytes(mesh.normals, sizeof(Float3) + 4) +
+           bytes(mesh.uv, sizeof(Float3) + 4) + bytes(mesh.uv_corners, sizeof(TriangleCorners)) +
            bytes(mesh.triangles, 2 * sizeof(TriangleCorners)) +
            bytes(mesh.texture_corners, sizeof(TriangleCorners) + 8) +
            bytes(mesh.textures, sizeof(Float3) + 16);

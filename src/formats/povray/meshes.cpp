@@ -68,10 +68,13 @@ void ObjectParser::read_mesh_triangle(ReadMesh& mesh) {
             ReadMesh::set(mesh.texture_corners, triangle, textures);
             mesh.textures.push_back(make_counted<const Texture>(read_texture()));
         } else if (item.word() == Word::k_uv_vectors) {
-            for (int i = 0; i < 3 && !failed(); ++i) {
-                expression();
+            TriangleCorners corners{};
+            for (std::uint32_t& corner : corners) {
+                corner = static_cast<std::uint32_t>(mesh.uv.size());
+                mesh.uv.push_back(ReadMesh::stored_uv(uv_vector()));
                 accept(',');
             }
+            ReadMesh::set(mesh.uv_corners, triangle, corners);
         } else {
             error(item, fmt::format("expected `texture` or `}}`, found {}", describe(item)));
         }
@@ -110,17 +113,19 @@ Object ObjectParser::read_mesh2(const Token& word) {
             case Word::k_normal_indices:
                 take();
                 has_normal_indices = true;
-                read_normal_indices(*mesh);
+                read_corner_indices(mesh->normal_corners, mesh->triangles.size());
                 break;
             case Word::k_uv_vectors:
+                take();
+                mesh->uv = read_uv();
+                break;
             case Word::k_uv_indices:
+                take();
+                read_corner_indices(mesh->uv_corners, mesh->triangles.size());
+                break;
             case Word::k_inside_vector:
                 take();
-                if (item.word() == Word::k_inside_vector) {
-                    vector();
-                } else {
-                    skip_block();
-                }
+                vector();
                 break;
             default:
                 is_part = false;
@@ -135,6 +140,7 @@ Object ObjectParser::read_mesh2(const Token& word) {
 // Indices are in range. Without normal indices, a vertex has the normal of the same number.
 void ObjectParser::check_mesh(const Token& at, ReadMesh& mesh, bool has_normal_indices) {
     if (!has_normal_indices && !mesh.normals.empty()) mesh.normal_corners = mesh.triangles;
+    if (mesh.uv_corners.empty() && !mesh.uv.empty()) mesh.uv_corners = mesh.triangles;
     const auto is_within = [](const CountedVector<TriangleCorners>& list, std::size_t triangle,
                               std::size_t end) {
         return !ReadMesh::has(list, triangle) ||
@@ -144,12 +150,14 @@ void ObjectParser::check_mesh(const Token& at, ReadMesh& mesh, bool has_normal_i
         const TriangleCorners& vertices = mesh.triangles[i];
         if (*std::max_element(vertices.begin(), vertices.end()) < mesh.vertices.size() &&
             is_within(mesh.normal_corners, i, mesh.normals.size()) &&
+            is_within(mesh.uv_corners, i, mesh.uv.size()) &&
             is_within(mesh.texture_corners, i, mesh.textures.size())) {
             continue;
         }
-        error(at, fmt::format(
-                      "face {} of the mesh has an index beyond its {} vertices, {} normals and {} textures",
-                      i, mesh.vertices.size(), mesh.normals.size(), mesh.textures.size()));
+        error(at, fmt::format("face {} of the mesh has an index beyond its {} vertices, {} normals, {} "
+                              "uv_vectors and {} textures",
+                              i, mesh.vertices.size(), mesh.normals.size(), mesh.uv.size(),
+                              mesh.textures.size()));
     }
 }
 

@@ -23,16 +23,18 @@ void ObjectParser::read_modifiers(Object& object) {
 }
 
 bool ObjectParser::read_modifier(Object& object) {
-    if (read_transform_item(object.map)) return true;
+    if (read_transform_item(object.map, object.texture ? &object.texture_map : nullptr)) return true;
     const Token item = peek();
     switch (item.word()) {
         case Word::k_texture:
             take();
             object.texture = layered(object.texture, read_texture());
+            object.texture_map.reset();
             return true;
         case Word::k_pigment:
             take();
             read_pigment(own_texture(object).pigment);
+            object.texture_map.reset();
             return true;
         case Word::k_finish:
             take();
@@ -46,7 +48,10 @@ bool ObjectParser::read_modifier(Object& object) {
         case Word::k_material: {
             take();
             const MaterialValue material = read_material();
-            if (material.texture) object.texture = layered(object.texture, *material.texture);
+            if (material.texture) {
+                object.texture = layered(object.texture, *material.texture);
+                object.texture_map.reset();
+            }
             if (material.interior) object.interior = material.interior;
             for (const Missing& of : material.missing) object.missing.add(of);
             return true;
@@ -54,6 +59,10 @@ bool ObjectParser::read_modifier(Object& object) {
         case Word::k_interior:
             take();
             object.interior = read_opaque(Word::k_interior, item);
+            return true;
+        case Word::k_uv_mapping:
+            take();
+            object.is_uv = flag();
             return true;
         case Word::k_no_shadow:
             take();
@@ -100,7 +109,6 @@ bool ObjectParser::read_modifier(Object& object) {
         case Word::k_hierarchy:
         case Word::k_split_union:
         case Word::k_no_radiosity:
-        case Word::k_uv_mapping:
             take();
             flag();
             return true;

@@ -37,10 +37,17 @@ struct ReadMesh {
     /// By triangle, or empty: no triangle has any. A triangle's normals are all set or all
     /// CornerValues::k_none, and so are its textures: one at each corner.
     CountedVector<TriangleCorners> normal_corners, texture_corners;
+    CountedVector<Float3> uv;                   ///< `uv_vectors`; z is 0
+    CountedVector<TriangleCorners> uv_corners;  ///< likewise
     CountedVector<std::shared_ptr<const Texture>> textures;
     /// The first vertex beyond what glint renders, as the text has it, and its number.
     std::optional<std::pair<std::size_t, Vec3>> far;
 
+    /// Within what glint renders.
+    static Float3 stored_uv(Vec3 uv) {
+        const auto within = [](double x) { return x >= -1e12 && x <= 1e12 ? x : 0; };
+        return to_single({within(uv.x), within(uv.y), 0});
+    }
     void note_if_far(std::size_t vertex, Vec3 position) {
         if (!far && !is_coordinate(position)) far.emplace(vertex, position);
     }
@@ -84,10 +91,11 @@ struct Object {
     ObjectKind kind = ObjectKind::group;
     Vec3 a, b, c;         ///< points; sphere: center; plane, disc: normal in b
     double r = 0, s = 0;  ///< radii; plane: the distance
-    bool is_open = false, is_no_shadow = false, is_merge = false, is_inverse = false;
+    bool is_open = false, is_no_shadow = false, is_merge = false, is_inverse = false, is_uv = false;
     Token at;
     std::optional<Affine> map;  ///< world_from_object
     std::shared_ptr<const Texture> texture;
+    std::optional<Affine> texture_map;                   ///< of the texture's images: the transforms after it
     std::shared_ptr<const std::array<Vec3, 3>> normals;  ///< of a smooth triangle
     std::shared_ptr<const CountedVector<ObjectPart>> parts;
     std::shared_ptr<const ReadMesh> mesh;

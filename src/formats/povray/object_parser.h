@@ -59,7 +59,9 @@ class ObjectParser : public TextureParser {
     std::uint32_t index_of(double value, const Token& at);
     void read_face_indices(TriangleCorners& indices);
     void read_faces(ReadMesh& mesh);
-    void read_normal_indices(ReadMesh& mesh);
+    void read_corner_indices(CountedVector<TriangleCorners>& corners, std::size_t faces);
+    Vec3 uv_vector();
+    CountedVector<Float3> read_uv();
 
     // polygons.cpp
     Object read_polygon(const Token& word);

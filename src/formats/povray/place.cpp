@@ -67,13 +67,21 @@ void SceneBuilder::place(const Object& object, const Texture& default_texture) {
 void SceneBuilder::place(const Object& object, const Inherited& from) {
     if (stream_.failed() || (++placed_ % 256 == 0 && !stream_.is_within_memory(object.at))) return;
     Inherited own = from;
-    std::optional<Affine> map;
+    std::optional<Affine> map, texture_map;
     if (object.map) {
         map = from.map ? compose(*from.map, *object.map) : *object.map;
         own.map = &*map;
     }
     // A shape's own texture counts, else that of the group.
-    if (object.texture) own.texture = object.texture.get();
+    if (object.texture) {
+        own.texture = object.texture.get();
+        own.texture_map = from.map;
+        if (object.texture_map && own.texture->pigment.image) {
+            texture_map = from.map ? compose(*from.map, *object.texture_map) : *object.texture_map;
+            own.texture_map = &*texture_map;
+        }
+    }
+    own.is_uv = object.is_uv || (!object.texture && from.is_uv);
     own.is_no_shadow = from.is_no_shadow || object.is_no_shadow;
     if (object.interior) own.interior = object.interior.get();
     if (!own.interior && object.texture) own.interior = object.texture->finish.interior.get();
@@ -117,6 +125,13 @@ void SceneBuilder::place_shape(const Object& o, const Inherited& from) {
     Inherited own = from;
     const bool has_ends = o.kind == ObjectKind::cylinder || o.kind == ObjectKind::cone;
     own.is_solid = o.kind == ObjectKind::sphere || (has_ends && !o.is_open);
+    std::optional<Affine> sphere;
+    if (o.kind == ObjectKind::sphere && own.texture->pigment.image) {
+        sphere = own.map ? compose(*own.map, translation(o.a)) : translation(o.a);
+        own.sphere = &*sphere;
+        own.uv_source = UvSource::sphere;
+    }
+    if (o.kind == ObjectKind::box) own.uv_source = UvSource::unknown;
     const std::uint32_t material = material_of(own, o.at);
     const auto first = static_cast<std::uint32_t>(scene_.shapes.size());
     const Affine* map = own.map;

@@ -36,12 +36,13 @@ void SceneBuilder::place_mesh(const Object& o, const Inherited& own) {
         return stream_.error(o.at, fmt::format("vertex {}: expected coordinates within 1e12, found {}",
                                                mesh.far->first, text(mesh.far->second)));
     }
-    if (mesh.triangles.size() == 1 && place_single_face(o, own)) return;
+    if (mesh.triangles.size() == 1 && mesh.uv.empty() && place_single_face(o, own)) return;
     MeshParts* const parts = parts_of(o);
     if (parts == nullptr || !stream_.spend(parts->parts.size() + parts->warned.size())) return;
     if (!parts->parts.empty() && !stream_.count_shapes(parts->parts.size() - 1))
         return stream_.error(o.at, fmt::format("more than {} shapes", stream_.max_shapes()));
     Inherited part_own = own;
+    part_own.uv_source = mesh.uv.empty() ? UvSource::unknown : UvSource::vertices;
     for (const auto& texture : parts->warned) {
         part_own.texture = texture.get();
         report_texture(part_own, o.at);
@@ -49,6 +50,7 @@ void SceneBuilder::place_mesh(const Object& o, const Inherited& own) {
     for (MeshPart& part : parts->parts) {
         if (stream_.failed()) return;
         part_own.texture = part.texture ? part.texture.get() : own.texture;
+        part_own.texture_map = part.texture ? own.map : own.texture_map;
         if (part.index == CornerValues::k_none) {
             part.index = static_cast<std::uint32_t>(scene_.meshes.size());
             scene_.meshes.push_back(part.data);
@@ -74,6 +76,7 @@ bool SceneBuilder::place_single_face(const Object& o, const Inherited& own) {
             return looks.count() == 1 && is_linear_in_color(first) && gather_face(o, own, first);
         }
         face_own.texture = &first;
+        face_own.texture_map = own.map;
     }
     const bool is_smooth = ReadMesh::has(mesh.normal_corners, 0);
     // POV-Ray mixes the normals before the transform: of a triangle the same only if it keeps angles.

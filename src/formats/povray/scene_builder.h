@@ -34,10 +34,18 @@ class SceneBuilder {
     void finish(const Token& scene_at);
 
   private:
+    // Where `uv_mapping` has u and v from: the x and y of points in the scene (measured), the vertices of a
+    // mesh, the angles around a sphere, or a rule that glint has not.
+    enum class UvSource : std::uint8_t { plane, vertices, sphere, unknown };
     // What an object has from the groups around it.
     struct Inherited {
         const Texture* texture = nullptr;
         const Affine* map = nullptr;
+        // Of the texture's images: the transforms after it.
+        const Affine* texture_map = nullptr;
+        bool is_uv = false;  // `uv_mapping` of the object
+        UvSource uv_source = UvSource::plane;
+        const Affine* sphere = nullptr;  // of UvSource::sphere: the place of one of radius 1
         const Opaque* interior = nullptr;
         bool is_no_shadow = false, is_merge = false;
         bool is_solid = false;  // a shape whose inside is known
@@ -67,6 +75,9 @@ class SceneBuilder {
     // materials.cpp
     std::uint32_t material_of(const Inherited& own, const Token& at);
     void report_texture(const Inherited& own, const Token& at);
+
+    // place_image.cpp
+    std::uint32_t texture_of(const Inherited& own, const Token& at);
 
     // place_lights.cpp
     void place_light(const Object& object, const Inherited& own);
@@ -124,8 +135,9 @@ class SceneBuilder {
     std::int32_t bodies_ = 0;
     CountedVector<std::uint32_t> glass_;  // shapes that refract
     Token glass_at_;                      // the last of them
-    NumberTable<33> materials_;
-    NumberTable<33>::Key last_key_{};
+    NumberTable<34> materials_;
+    NumberTable<14> textures_;
+    NumberTable<34>::Key last_key_{};
     std::uint32_t last_material_ = k_none;
     bool is_last_plain_ = false;  // its shape had no warnings but those of the material
     Token last_place_token_;

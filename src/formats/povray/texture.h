@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "formats/povray/value.h"
+#include "glint/texture.h"
 
 namespace glint::povray {
 
@@ -49,10 +50,17 @@ struct GradientPattern {
 };
 
 struct Pigment {
-    std::array<double, 5> color{0, 0, 0, 0, 0};
-    std::optional<Missing> missing;  ///< a pattern that is not rendered
+    std::array<double, 5> color{0, 0, 0, 0, 0};  ///< with an image: white, and its filter and transmit
+    std::optional<Missing> missing;              ///< a pattern that is not rendered
     std::shared_ptr<const GradientPattern> gradient;
-    friend bool operator==(const Pigment& a, const Pigment& b) { return a.color == b.color; }
+    /// `image_map`, without what depends on the place of the surface.
+    std::shared_ptr<const glint::Texture> image;
+    std::optional<Affine> map;  ///< of the image's pattern, or of u and v with `uv_mapping`
+    bool is_uv = false;         ///< `uv_mapping`
+    double image_number = 0;    ///< the same for the same image and map; 0: no image
+    friend bool operator==(const Pigment& a, const Pigment& b) {
+        return a.color == b.color && a.image_number == b.image_number;
+    }
 };
 
 struct Opaque;
@@ -76,6 +84,10 @@ struct Texture {
     Finish finish;
     MissingList missing;      ///< a normal, a texture map, ...
     bool is_layered = false;  ///< below it are other textures
+    bool is_uv = false;       ///< `uv_mapping`
+
+    /// Whether transforms of what has the texture do not apply to it.
+    bool has_own_place() const { return is_uv || pigment.is_uv; }
 };
 
 /// A block that has a meaning only where it is used, and is not rendered: normal, interior, color_map, ...
@@ -88,7 +100,7 @@ struct Opaque {
 
 /// The numbers of a texture that decide what its surface looks like; the pigment's red, green and blue come
 /// first.
-using TextureNumbers = std::array<double, 31>;
+using TextureNumbers = std::array<double, 32>;
 TextureNumbers numbers_of(const Texture& texture);
 /// Whether something of the texture is not rendered, beyond what its numbers say.
 bool has_warnings(const Texture& texture);

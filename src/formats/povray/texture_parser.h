@@ -1,15 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Textures, materials and transforms, and blocks that are read over. In textures.cpp, finishes.cpp,
-// gradients.cpp, blocks.cpp and transforms.cpp.
+// gradients.cpp, image_maps.cpp, blocks.cpp and transforms.cpp.
 #include <memory>
 #include <optional>
 #include <string_view>
 
+#include "formats/povray/image_gamma.h"
 #include "formats/povray/object.h"
 #include "formats/povray/value_parser.h"
 
 namespace glint::povray {
+
+/// What an `image_map` has.
+struct ImageItems {
+    Token name_at;
+    std::string name;
+    int map_type = 0, interpolate = 0;
+    bool is_once = false;
+    double filter = 0, transmit = 0;
+    std::optional<ImageCurve> curve;  ///< `gamma`
+    std::optional<Missing> missing;
+};
 
 class TextureParser : public ValueParser {
   protected:
@@ -26,7 +38,8 @@ class TextureParser : public ValueParser {
     /// What #default changes.
     Texture& default_texture() { return default_texture_; }
 
-    bool read_transform_item(std::optional<Affine>& map);
+    /// also: a second map that the transform is added to.
+    bool read_transform_item(std::optional<Affine>& map, std::optional<Affine>* also = nullptr);
     Affine read_transform_block();
 
     static bool is_opaque(Word word);
@@ -37,6 +50,10 @@ class TextureParser : public ValueParser {
 
   private:
     void read_texture_items(Texture& texture);
+    void transform_image(Pigment& pigment, const std::optional<Affine>& step);
+    void read_image_map(Pigment& pigment, const Token& at);
+    void read_image_item(const Token& at, ImageItems& items);
+    std::shared_ptr<const TextureImage> open_image(const ImageItems& items, glint::Texture& texture);
     bool accept_albedo();
     void read_reflection(Finish& finish);
     std::shared_ptr<const GradientPattern> read_gradient(std::optional<Affine> map);
@@ -45,6 +62,8 @@ class TextureParser : public ValueParser {
     Affine read_matrix();
 
     Texture default_texture_;
+    double images_ = 0;  // the last Pigment::image_number
+    CountedVector<GradedImage> graded_;
 };
 
 }  // namespace glint::povray

@@ -6,6 +6,15 @@
 #include "formats/povray_keywords.h"
 
 namespace glint::povray {
+namespace {
+
+Pigment color_pigment(const std::array<double, 5>& color) {
+    Pigment pigment;
+    pigment.color = color;
+    return pigment;
+}
+
+}  // namespace
 
 Missing TextureParser::missing(const Token& at, std::string_view name) {
     return {name, povray_meaning(name), call_place(at)};
@@ -15,11 +24,12 @@ Missing TextureParser::missing(const Token& at, std::string_view name) {
 void TextureParser::read_pigment(Pigment& pigment) {
     const Deeper deeper(*this);
     if (!deeper.ok || !expect('{')) return;
-    std::optional<Affine> map;  // of a pattern: all patterns are missing
+    std::optional<Affine> map;  // of the pattern
+    bool is_placed = false;     // by a named pigment's uv_mapping
     while (!failed() && !accept('}')) {
         const Token item = peek();
         if (begins_color(item)) {
-            pigment = {color(false), {}, {}};
+            pigment = color_pigment(color(false));
             continue;
         }
         if (item.kind == TokenKind::word && !Names::is_reserved(item.name)) {
@@ -29,9 +39,10 @@ void TextureParser::read_pigment(Pigment& pigment) {
                     array && !(*array)->elements.empty() ? (*array)->elements.front() : *value;
                 if (std::holds_alternative<std::shared_ptr<const Pigment>>(kind)) {
                     if (const auto held = named<Pigment>(take())) pigment = *held;
+                    is_placed = pigment.is_uv;
                     continue;
                 }
-                pigment = {color(false), {}, {}};
+                pigment = color_pigment(color(false));
                 continue;
             }
         } else if (item.word() == Word::k_quick_color || item.word() == Word::k_quick_colour) {
@@ -39,9 +50,15 @@ void TextureParser::read_pigment(Pigment& pigment) {
             color(true);
             continue;
         } else if (begins_number(item)) {
-            pigment = {color(false), {}, {}};
+            pigment = color_pigment(color(false));
             continue;
-        } else if (read_transform_item(map) || accept(Word::k_uv_mapping)) {
+        } else if (read_transform_item(map)) {
+            continue;
+        } else if (accept(Word::k_uv_mapping)) {
+            pigment.is_uv = true;
+            continue;
+        } else if (accept(Word::k_image_map)) {
+            read_image_map(pigment, item);
             continue;
         }
         take();
@@ -56,6 +73,7 @@ void TextureParser::read_pigment(Pigment& pigment) {
             skip_rest();
         }
     }
+    if (!is_placed) transform_image(pigment, map);
 }
 
 Texture TextureParser::read_texture() {
@@ -68,10 +86,18 @@ Texture TextureParser::read_texture() {
 void TextureParser::read_texture_items(Texture& texture) {
     const Deeper deeper(*this);
     if (!deeper.ok || !expect('{')) return;
-    std::optional<Affine> map;
+    bool is_placed = false;  // by a named texture's uv_mapping
     while (!failed() && !accept('}')) {
         const Token item = peek();
-        if (read_transform_item(map) || accept(Word::k_uv_mapping) || accept(Word::k_no_bump_scale)) continue;
+        if (std::optional<Affine> step; read_transform_item(step)) {
+            if (!is_placed && !texture.pigment.is_uv) transform_image(texture.pigment, step);
+            continue;
+        }
+        if (accept(Word::k_uv_mapping)) {
+            texture.is_uv = true;
+            continue;
+        }
+        if (accept(Word::k_no_bump_scale)) continue;
         take();
         if (item.word() == Word::k_pigment) {
             read_pigment(texture.pigment);
@@ -83,7 +109,10 @@ void TextureParser::read_texture_items(Texture& texture) {
         } else {
             const bool is_name = find_value(item) != nullptr;
             if (const auto held = named<Texture>(item)) {
+                const bool is_uv = texture.is_uv;
                 texture = *held;
+                is_placed = texture.is_uv;
+                texture.is_uv = texture.is_uv || is_uv;
             } else if (const auto pigment = named<Pigment>(item)) {
                 texture.pigment = *pigment;
             } else if (!is_name && item.kind == TokenKind::word) {

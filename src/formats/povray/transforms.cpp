@@ -6,7 +6,7 @@
 namespace glint::povray {
 
 // translate, rotate, scale, matrix, transform: false if none of them is next.
-bool TextureParser::read_transform_item(std::optional<Affine>& map) {
+bool TextureParser::read_transform_item(std::optional<Affine>& map, std::optional<Affine>* also) {
     const Token at = peek();
     Affine step;
     switch (at.word()) {
@@ -43,6 +43,7 @@ bool TextureParser::read_transform_item(std::optional<Affine>& map) {
     }
     if (step == Affine()) return true;
     map = map ? compose(step, *map) : step;
+    if (also != nullptr) *also = *also ? compose(step, **also) : step;
     for (const auto& row : map->m) {
         for (const double x : row) {
             if (!(x <= 1e150 && x >= -1e150) && !failed()) {

@@ -52,7 +52,7 @@ namespace glint::povray {
 #define GLINT_POV_SCENE_WORDS(X) \
     X(adc_bailout) X(ambient_light) X(array) X(assumed_gamma) X(background) X(charset) X(checker) \
     X(color_map) X(colour_map) X(distance) X(fog) X(fog_type) X(function) X(global_settings) X(gradient) \
-    X(hf_gray_16) X(irid_wavelength) X(max_intersections) X(max_trace_level) X(mm_per_unit) \
+    X(hf_gray_16) X(image_map) X(irid_wavelength) X(max_intersections) X(max_trace_level) X(mm_per_unit) \
     X(noise_generator) X(number_of_waves) X(quick_color) X(quick_colour) X(rainbow) X(sky_sphere) \
     X(spline)
 #define GLINT_POV_WORDS(X) \
