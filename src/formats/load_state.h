@@ -106,6 +106,9 @@ struct LoadState {
     std::map<std::uint16_t, std::uint32_t> meshes;     ///< in Scene::meshes, by the text's index in `texts`
     /// Of files of pictures, by the text's index in `texts`; null: it cannot be decoded.
     std::map<std::uint16_t, std::shared_ptr<const TextureImage>> texture_images;
+    /// Those with the colors of one image, or white, and the opacity of another.
+    std::map<std::pair<const TextureImage*, const TextureImage*>, std::shared_ptr<const TextureImage>>
+        faded_images;
     std::optional<std::uint16_t> lone_mesh;  ///< the caller's text that is a file of a mesh
     double mesh_ambient_light = 1;           ///< what such a scene has if it has no lights
     bool is_view_used = false;               ///< LoadOptions::view

@@ -32,42 +32,60 @@ std::shared_ptr<const TextureImage> image_of(LoadState& reading, const MtlMap& m
     return texture_image_of_file(reading, from, map.at, map.name, path, k_without_map);
 }
 
+// The word of a 8-bit or 16-bit texel as one of another size, which is not smaller.
+template <class Word, class From> Word scaled(From word) {
+    return sizeof(From) == sizeof(Word) ? static_cast<Word>(word) : static_cast<Word>(word * 257);
+}
+
 // The opacity in a texel: its alpha, else the mean of its channels.
 template <class Word> Word opacity_of(const Word* texel, bool has_alpha) {
     if (has_alpha) return texel[3];
     return static_cast<Word>((texel[0] + texel[1] + texel[2]) / 3);
 }
 
-// The colors of one image, white without one, with the opacity of another of the same size.
-TextureImage with_opacity(const TextureImage* color, const TextureImage& opacity) {
-    TextureImage made{opacity.width, opacity.height, true, {}};
-    const std::size_t count = std::size_t{made.width} * made.height;
-    const bool is_long = opacity.words.index() == 1 || (color != nullptr && color->words.index() == 1);
-    const auto fill = [&](auto& words) {
-        using Word = std::remove_reference_t<decltype(words[0])>;
-        const auto scaled = [](auto word) {
-            return sizeof(word) == sizeof(Word) ? static_cast<Word>(word) : static_cast<Word>(word * 257);
-        };
-        words.resize(4 * count, static_cast<Word>(-1));
-        for (std::size_t i = 0; color != nullptr && i < count; ++i) {
-            for (std::size_t c = 0; c < 3; ++c)
-                words[4 * i + c] = std::visit(
-                    [&](const auto& from) { return scaled(from[color->channels() * i + c]); }, color->words);
-        }
-        for (std::size_t i = 0; i < count; ++i) {
-            words[4 * i + 3] = std::visit(
-                [&](const auto& from) {
-                    return scaled(opacity_of(from.data() + opacity.channels() * i, opacity.has_alpha));
-                },
-                opacity.words);
-        }
+template <class Word>
+std::vector<Word> words_with_opacity(const TextureImage* color, const TextureImage& opacity) {
+    const std::size_t count = std::size_t{opacity.width} * opacity.height;
+    std::vector<Word> words(4 * count, static_cast<Word>(-1));
+    const auto each_texel = [&](const TextureImage& image, const auto& use) {
+        std::visit(
+            [&](const auto& from) {
+                for (std::size_t i = 0; i < count; ++i)
+                    use(&words[4 * i], from.data() + image.channels() * i);
+            },
+            image.words);
     };
-    if (is_long) {
-        fill(made.words.emplace<1>());
-    } else {
-        fill(made.words.emplace<0>());
+    if (color != nullptr)
+        each_texel(*color, [](Word* to, const auto* from) {
+            for (int c = 0; c < 3; ++c) to[c] = scaled<Word>(from[c]);
+        });
+    each_texel(opacity, [&](Word* to, const auto* from) {
+        to[3] = scaled<Word>(opacity_of(from, opacity.has_alpha));
+    });
+    return words;
+}
+
+// The colors of one image, white without one, with the opacity of another of the same size. Null, after an
+// error, if the memory has no room for it.
+std::shared_ptr<const TextureImage> with_opacity(LoadState& reading, const TextureImage* color,
+                                                 const TextureImage& opacity, const MtlMap& map) {
+    std::shared_ptr<const TextureImage>& known = reading.faded_images[{color, &opacity}];
+    if (known) return known;
+    const bool is_long = opacity.words.index() == 1 || (color != nullptr && color->words.index() == 1);
+    const std::uint64_t bytes = std::uint64_t{opacity.width} * opacity.height * (is_long ? 8 : 4);
+    if (bytes > reading.memory.room()) {
+        reading.diagnostics.error(reading.texts[map.file], map.at.offset, map.at.length,
+                                  reading.memory.message());
+        return nullptr;
     }
-    return made;
+    reading.memory.add(bytes);
+    TextureImage made{opacity.width, opacity.height, true, {}};
+    if (is_long) {
+        made.words = words_with_opacity<std::uint16_t>(color, opacity);
+    } else {
+        made.words = words_with_opacity<std::uint8_t>(color, opacity);
+    }
+    return known = std::make_shared<const TextureImage>(std::move(made));
 }
 
 }  // namespace
@@ -121,7 +139,8 @@ std::optional<Texture> mtl_texture(LoadState& reading, const std::optional<MtlMa
         return texture;
     }
     texture.file.clear();
-    texture.image = std::make_shared<const TextureImage>(with_opacity(colors.get(), *opacities));
+    texture.image = with_opacity(reading, colors.get(), *opacities, *opacity);
+    if (!texture.image) return std::nullopt;
     return texture;
 }
 

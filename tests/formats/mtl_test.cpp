@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The materials of .obj files.
+#include <fmt/format.h>
+
 #include <map>
 
 #include "formats/mistakes.h"
@@ -40,11 +42,12 @@ Material material(const std::string& statements) {
 // A picture of 2 x 1 texels.
 const std::string k_pixels("P6 2 1 255\n\x01\x02\x03\xff\xfe\xfd", 17);
 
-Result<Scene> textured(Libraries& libraries) {
+Result<Scene> textured(Libraries& libraries, const std::string& more = {}, const LoadOptions& options = {}) {
     return load_text(
         "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0.25 0.5\nvt 1\nvt 0 1 7\nusemtl m\n"
-        "f 1/1 2/2 3/3\n",
-        "a.obj", {}, &libraries);
+        "f 1/1 2/2 3/3\n" +
+            more,
+        "a.obj", options, &libraries);
 }
 
 TEST(Mtl, MapsAreTextures) {
@@ -88,6 +91,28 @@ TEST(Mtl, MapsOfOpacityAreTheAlpha) {
     ASSERT_TRUE(other);
     EXPECT_NE(messages(other).find("expected a picture of the size of map_Kd's"), std::string::npos);
     EXPECT_FALSE(other->textures.at(0).has_alpha());
+}
+
+TEST(Mtl, MapsOfOpacityAreMixedOnceWithinTheMemory) {
+    const std::string text = "newmtl m\nmap_Kd c.pgm\nmap_d d.pgm\nnewmtl n\nmap_d d.pgm\nmap_Kd c.pgm\n";
+    const auto libraries = [&](int side) {
+        const std::string grey =
+            fmt::format("P5 {} {} 255\n", side, side) +
+            std::string(static_cast<std::size_t>(side) * static_cast<std::size_t>(side), 'a');
+        return Libraries{{"a.mtl", text}, {"c.pgm", grey}, {"d.pgm", grey + " "}};
+    };
+    Libraries small = libraries(2);
+    const Result<Scene> scene = textured(small, "usemtl n\nf 1/1 2/2 3/3\n");
+    ASSERT_TRUE(scene) << messages(scene);
+    ASSERT_EQ(scene->textures.size(), 2u);
+    EXPECT_EQ(scene->textures[0].image, scene->textures[1].image);
+    // Two files and their images fit, the third image does not.
+    Libraries large = libraries(1024);
+    LoadOptions options;
+    options.max_memory = 9u << 20;
+    const Result<Scene> refused = textured(large, {}, options);
+    EXPECT_FALSE(refused);
+    EXPECT_NE(messages(refused).find("MiB of memory"), std::string::npos) << messages(refused);
 }
 
 TEST(Mtl, MapsThatCannotBeReadAreWarnings) {
