@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <initializer_list>
 
 #include "export/gltf/reflection.h"
 #include "formats/gltf/materials.h"
@@ -215,6 +216,38 @@ TEST(WriteGltf, Textures) {
     scene.textures[0].wrap_u = TextureWrap::once;
     EXPECT_EQ(gltf_warnings(scene),
               "glTF has no textures with the wrap `once`: they are written as `clamp`\n");
+}
+
+TEST(WriteGltf, UnlitTexturesHaveTheirColorsWhateverTheLights) {
+    Scene scene = gltf_like(R"(
+texture t { texels = ("3366cc 000000", "ff8001 fffefd")  filter = nearest  encoding = srgb  mix = multiply_all }
+material m { color = (1, 1, 1)  ambient = 0  diffuse = 0  emission = 1  texture = t }
+mesh { vertices = ((-2, -2, 0), (2, -2, 0), (2, 2, 0), (-2, 2, 0))  triangles = ((0, 1, 2), (0, 2, 3))
+       texture_coordinates = ((0, 0), (1, 0), (1, 1), (0, 1))  material = m })");
+    scene.camera.projection = Projection::orthographic;
+    scene.camera.position = {0, 0, 5};
+    scene.camera.look_at = {0, 0, 0};
+    scene.camera.width = 4;
+    const Result<Scene> again = written_and_read(scene);
+    ASSERT_TRUE(again) << messages(again);
+    EXPECT_EQ(messages(again), "");
+    EXPECT_NE(written(scene).find("KHR_materials_unlit"), std::string::npos);
+    for (const Scene* const s : std::initializer_list<const Scene*>{&scene, &*again}) {
+        const std::vector<std::uint8_t> bytes = picture_bytes(*s, 2, 2);
+        const std::vector<std::uint8_t> texels(bytes.end() - 12, bytes.end());
+        EXPECT_EQ(texels,
+                  (std::vector<std::uint8_t>{0x33, 0x66, 0xcc, 0, 0, 0, 0xff, 0x80, 1, 0xff, 0xfe, 0xfd}));
+        // The terms of an explanation are those of the pixel.
+        Scene small = *s;
+        small.settings.width = small.settings.height = 2;
+        const Result<World> world = prepare(small);
+        ASSERT_TRUE(world);
+        const Result<Explanation> why = explain(small, *world, 0, 1);
+        ASSERT_TRUE(why) << why.message;
+        const Material m = material_of(*why->rays.at(0).hit, small);
+        EXPECT_EQ(why->rays[0].hit->emission, m.emission);
+        EXPECT_EQ(static_cast<float>(m.emission.g), render(*world)->image.rgb[7]);
+    }
 }
 
 TEST(WriteGltf, ATextureOnAShapeByItsMapping) {

@@ -136,7 +136,8 @@ MaterialList::Item MaterialList::write(const MaterialUse& use) {
         if (const std::string_view name = scene_.material_texts.name(use.material); !name.empty())
             to["name"] = std::string(name);
     }
-    const bool unlit = is_unlit(m);
+    const bool colors_emission = texture != nullptr && texture->mix == TextureMix::multiply_all;
+    const bool unlit = is_unlit(m) && (texture == nullptr || colors_emission);
     MetalRoughness found = metal_roughness(m, dielectric_of(m));
     if (unlit) {
         found = {m.emission, 0, 1, {}, true};
@@ -162,7 +163,10 @@ MaterialList::Item MaterialList::write(const MaterialUse& use) {
                {"roughnessFactor", found.roughness}};
     if (texture != nullptr) {
         const std::uint32_t number = scene_.materials[use.material].texture;
-        if (Json info = textures_.info(number); !info.is_null()) metal["baseColorTexture"] = std::move(info);
+        if (const Json info = textures_.info(number); !info.is_null()) {
+            metal["baseColorTexture"] = info;
+            if (colors_emission && !unlit && greatest(m.emission) > 0) to["emissiveTexture"] = info;
+        }
     }
     to["pbrMetallicRoughness"] = std::move(metal);
     write_alpha(m, texture, to);
