@@ -37,8 +37,8 @@ enum class TextureFilter : std::uint8_t { nearest, bilinear };
 
 /// What the texture's color does. multiply: the material's color, k_a and k_d are multiplied by it, channel
 /// by channel; k_s is not. replace: the surface looks as if it had with_color(its material, the texture's
-/// color).
-enum class TextureMix : std::uint8_t { multiply, replace };
+/// color). multiply_all: as multiply, and k_e is multiplied, too.
+enum class TextureMix : std::uint8_t { multiply, replace, multiply_all };
 
 /// What the texels' words are. linear: word / 255, or word / 65535, as colors are written in scenes whose
 /// picture has Transfer::none. srgb: decoded by the sRGB curve (IEC 61966-2-1), before they are mixed; for

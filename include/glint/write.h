@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Scene to text.
+// Scenes and meshes to files.
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "glint/export.h"
 #include "glint/load.h"
@@ -20,6 +21,21 @@ namespace glint {
 /// past the end of the list, the mesh is written into the text.
 GLINT_API Result<std::string> write_glint(const Scene& scene, std::span<const SceneText> texts = {},
                                           std::span<const std::string> mesh_files = {});
+
+/// A format that write_scene() writes.
+struct WrittenFormat {
+    std::string_view name;       ///< "glb"
+    std::string_view extension;  ///< of the names of such files, ".glb"
+    std::string_view description;
+};
+GLINT_API std::span<const WrittenFormat> written_formats();
+
+/// The bytes of a file in one of these formats, by its name. The diagnostics of the result are warnings of
+/// what the format cannot say: one for each kind of things that are left out or approximated
+/// (docs/formats/gltf.md). The same scene gives the same bytes. Errors: no such format, one that validate()
+/// finds in the scene, and a .glb that would be larger than 4 GiB. Never throws. Time and memory are
+/// proportional to the scene.
+GLINT_API Result<std::string> write_scene(const Scene& scene, std::string_view format);
 
 /// The mesh as a binary .ply file (docs/formats/ply.md), little endian. load() reads it back with the same
 /// positions, normals, colors and texture coordinates; vertices with several of these become several. An

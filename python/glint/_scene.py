@@ -387,6 +387,13 @@ class Scene:
         """
         return self._state.write_glint()
 
+    def to_bytes(self, format: str = "glb") -> bytes:
+        """A file of the scene for other programs: "glb" or "gltf" (docs/formats/gltf.md), or "glint".
+
+        A GlintWarning names each kind of things that the format does not have.
+        """
+        return self._state.write_scene(format)
+
     def copy(self) -> Scene:
         """A scene of its own, with objects of its own; what was prepared is shared."""
         copy = type(self).__new__(type(self))

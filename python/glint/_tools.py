@@ -279,14 +279,20 @@ def versus(scene: SceneLike, a: Mapping[str, object] = {}, b: Mapping[str, objec
 
 
 def convert(source: SceneLike, target: PathLike) -> None:
-    """Writes a scene in glint's own language to a .glint file.
+    """Writes a scene to a file: in glint's own language to a .glint, or as glTF to a .glb or .gltf.
 
-    The names of textures' files become relative to its folder.
+    The names of textures' files become relative to the folder of a .glint. Of glTF, a GlintWarning names each kind of things
+    that it does not have.
     """
     name = os.fspath(target)
-    if not name.endswith(".glint"):
-        raise ValueError(f"{name!r}: glint writes .glint")
+    formats = {extension: format for format, extension, _ in _glint.written_formats()}
+    format = formats.get(os.path.splitext(name)[1].lower())
+    if format is None:
+        raise ValueError(f"{name!r}: glint writes {', '.join(formats)}")
     scene = to_scene(source)
+    if format != "glint":
+        pathlib.Path(name).write_bytes(scene.to_bytes(format))
+        return
     if any(texture.file for texture in scene.textures):
         scene = scene.copy()
         for texture in scene.textures:

@@ -149,6 +149,14 @@ std::string write_whole_glint(SceneState& state) {
     return value_or_raise(write_glint(scene));
 }
 
+py::bytes write_as(SceneState& state, const std::string& format) {
+    Result<std::string> written = write_scene(state.scene(), format);
+    const std::vector<Diagnostic> warnings = written.diagnostics;
+    const std::string bytes = value_or_raise(std::move(written));
+    warn(warnings);
+    return bytes;
+}
+
 py::list check_scene(SceneState& state, const py::object& progress) {
     const auto scene = state.shared_scene();
     const std::vector<Finding> findings = value_or_raise(run(progress, [&](Running& running) {
@@ -171,6 +179,7 @@ void bind_tools(py::module_& m, py::class_<SceneState, std::shared_ptr<SceneStat
         .def("explain", &explain_pixel)
         .def("check", &check_scene)
         .def("write_glint", [](SceneState& s) { return value_or_raise(write_glint(s.scene())); })
+        .def("write_scene", &write_as, "The bytes of a file in a format of written_formats(), by its name.")
         .def("write_whole_glint", &write_whole_glint,
              "As write_glint(), with the texels of textures instead of the names of files.")
         .def("validate", [](SceneState& s) { return validate(s.scene()); });
@@ -180,6 +189,13 @@ void bind_tools(py::module_& m, py::class_<SceneState, std::shared_ptr<SceneStat
         for (const FormatInfo& f : formats())
             list.append(
                 py::make_tuple(std::string(f.name), std::string(f.extensions), std::string(f.description)));
+        return list;
+    });
+    m.def("written_formats", [] {
+        py::list list;
+        for (const WrittenFormat& f : written_formats())
+            list.append(
+                py::make_tuple(std::string(f.name), std::string(f.extension), std::string(f.description)));
         return list;
     });
     m.def("check_kinds", [] {

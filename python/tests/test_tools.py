@@ -251,6 +251,15 @@ def test_versus_and_convert(scene, tmp_path):
     glint.convert(CASTLE, tmp_path / "castle.glint")
     size = (32, 32)
     assert glint.load(tmp_path / "castle.glint").render(size=size) == glint.load(CASTLE).render(size=size)
+    with pytest.warns(glint.GlintWarning, match="glTF has no ambient light"):
+        glint.convert(CASTLE, tmp_path / "castle.glb")
+    assert len(glint.load(tmp_path / "castle.glb").shapes) > 10
+    with pytest.warns(glint.GlintWarning):
+        assert scene.to_bytes("gltf").startswith(b'{"asset":')
+    with pytest.raises(ValueError, match="glint writes .glint, .glb, .gltf"):
+        glint.convert(CASTLE, tmp_path / "castle.obj")
+    with pytest.raises(glint.GlintError, match="expected one of the formats"):
+        scene.to_bytes("obj")
 
 
 def test_grades_pictures(scene, tmp_path):

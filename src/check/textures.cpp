@@ -212,7 +212,7 @@ void add_fineness(const WorldParts& world, const PixelHits& hits, Fineness& to) 
     }
     const double* const values = world.material(hits.here->material);
     double factor = 1;
-    if (texture.mix == TextureMix::multiply) {
+    if (texture.mix != TextureMix::replace) {
         factor = 0;
         for (int c = 0; c < 3; ++c)
             factor = number::max(factor, values[k_ambient + c] + values[k_diffuse + c]);

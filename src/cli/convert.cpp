@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// glint convert: converts a scene of any format to .glint.
+// glint convert: converts a scene of any format to .glint, or to another one that glint writes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cli/commands.h"
@@ -26,7 +27,34 @@ constexpr auto k_convert_examples = R"(Examples:
   glint convert castle.json castle.glint
   glint convert spheres.cgfs lights.cgfs both.glint     two listings as one scene
   glint convert castle.json -o - | less                 to standard output
-  glint convert gears.nff gears.glint --profile glint   the same shapes with glint's own conventions)";
+  glint convert gears.nff gears.glint --profile glint   the same shapes with glint's own conventions
+  glint convert castle.json castle.glb                  for Blender and other programs)";
+
+constexpr std::string_view k_whole_format = "glint";  // the one that keeps all of a scene
+
+// "OUT.glint|glb|gltf", ".glint, .glb or .gltf"
+std::string out_names() {
+    std::string names;
+    for (const WrittenFormat& format : written_formats())
+        names += fmt::format("{}{}", names.empty() ? "OUT." : "|", format.extension.substr(1));
+    return names;
+}
+std::string endings() {
+    std::string text;
+    const auto all = written_formats();
+    for (std::size_t i = 0; i < all.size(); ++i)
+        text += fmt::format("{}{}", i == 0 ? "" : i + 1 < all.size() ? ", " : " or ", all[i].extension);
+    return text;
+}
+
+// By the name of the output; standard output and devices are .glint.
+std::string_view format_of(const OutputFile& output, const std::string& path) {
+    if (output.is_stream()) return k_whole_format;
+    for (const WrittenFormat& format : written_formats()) {
+        if (format.extension == extension(path)) return format.name;
+    }
+    throw Failure(k_usage, fmt::format("OUT '{}': glint writes scenes as {} only", path, endings()));
+}
 
 struct ConvertArguments {
     SceneArguments scene;
@@ -39,7 +67,7 @@ void take_output(ConvertArguments& arguments) {
     auto& files = arguments.scene.files;
     if (arguments.output.empty()) {
         if (files.size() < 2)
-            throw Failure(k_usage, "expected SCENE... and OUT.glint, or --output OUT.glint");
+            throw Failure(k_usage, fmt::format("expected SCENE... and {0}, or --output {0}", out_names()));
         arguments.output = std::move(files.back());
         files.pop_back();
     }
@@ -73,14 +101,8 @@ void warn_of_size(const ConvertArguments& arguments, const LoadedScene& loaded) 
         arguments.scene.files.front(), width, height);
 }
 
-int convert_command(ConvertArguments& arguments) {
-    take_output(arguments);
-    const std::string& path = arguments.output;
-    const OutputFile output("OUT", path);
-    if (!output.is_stream() && extension(path) != ".glint")
-        throw Failure(k_usage, fmt::format("OUT '{}': glint writes scenes as .glint only", path));
-    const LoadedScene loaded = load_scene(arguments.scene);
-    if (!arguments.quiet) print(loaded.warnings);
+// With the comments of its texts, and with the names of the files of its meshes and textures.
+std::string to_glint(const ConvertArguments& arguments, const LoadedScene& loaded, const OutputFile& output) {
     const auto is_of_file = [](const Texture& texture) { return !texture.file.empty(); };
     std::optional<Scene> renamed;  // a copy only where needed: there may be millions of shapes
     if (!output.is_stream() &&
@@ -92,16 +114,36 @@ int convert_command(ConvertArguments& arguments) {
     const std::vector<std::string> mesh_files = output.is_stream()
                                                     ? known_mesh_files(scene, arguments.scene.format)
                                                     : write_mesh_files(scene, arguments.scene.format, output);
-    const Result<std::string> written = write_glint(scene, texts, mesh_files);
+    Result<std::string> written = write_glint(scene, texts, mesh_files);
     if (!written) throw_failure(written);
-    const std::string& text = *written;
-    output.write({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    return std::move(*written);
+}
+
+int convert_command(ConvertArguments& arguments) {
+    take_output(arguments);
+    const std::string& path = arguments.output;
+    const OutputFile output("OUT", path);
+    const std::string_view format = format_of(output, path);
+    const LoadedScene loaded = load_scene(arguments.scene);
+    if (!arguments.quiet) print(loaded.warnings);
+    const Scene& scene = *loaded.scene;
+    std::string bytes;
+    std::size_t warnings = count_warnings(loaded.warnings);
+    if (format == k_whole_format) {
+        bytes = to_glint(arguments, loaded, output);
+    } else {
+        Result<std::string> written = write_scene(scene, format);
+        if (!written) throw_failure(written);
+        bytes = std::move(*written);
+        if (!arguments.quiet) print(written.diagnostics);
+        warnings += count_warnings(written.diagnostics);
+    }
+    output.write({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
     if (!arguments.quiet) {
         warn_of_size(arguments, loaded);
-        print_error("{}  {}  {}, {}, {}  ({})\n", path, bytes_text(static_cast<double>(text.size())),
+        print_error("{}  {}  {}, {}, {}  ({})\n", path, bytes_text(static_cast<double>(bytes.size())),
                     counted(scene.shapes.size(), "shape"), counted(scene.materials.size(), "material"),
-                    counted(scene.lights.size(), "light"),
-                    counted(count_warnings(loaded.warnings), "warning"));
+                    counted(scene.lights.size(), "light"), counted(warnings, "warning"));
     }
     return k_done;
 }
@@ -110,15 +152,18 @@ int convert_command(ConvertArguments& arguments) {
 
 Run add_convert(CLI::App& app) {
     CLI::App& command = *app.add_subcommand(
-        "convert", "Convert a scene of any format to .glint; its picture stays the same, bit for bit");
+        "convert",
+        "Convert a scene of any format to .glint, whose picture stays the same, bit for bit, or to glTF");
     const auto arguments = std::make_shared<ConvertArguments>();
     add_scene_arguments(command, arguments->scene);
     command.get_option("SCENE")->description(
-        "Scene files, read together as one scene, then OUT.glint unless --output is given; - is standard "
-        "input (needs --format)");
+        fmt::format("Scene files, read together as one scene, then {} unless --output is given; - is "
+                    "standard input (needs --format)",
+                    out_names()));
     command
         .add_option("-o,--output", arguments->output,
-                    "The output file: a name that ends in .glint; - is standard output")
+                    fmt::format("The output file: a name that ends in {}; - is standard output, as .glint",
+                                endings()))
         ->option_text("OUT");
     command.add_flag("-q,--quiet", arguments->quiet, "Print only errors");
     command.footer(k_convert_examples);

@@ -61,8 +61,9 @@ std::string texture_text(const Scene& scene, const ExplainedTexture& t) {
     }
     text += fmt::format(", color {}", color(t.color));
     if (t.alpha != 1) text += fmt::format(", alpha {}", number(t.alpha));
-    return text + (texture.mix == TextureMix::multiply ? ", which multiplies color, k_a and k_d"
-                                                       : ", which replaces the color");
+    return text + (texture.mix == TextureMix::multiply  ? ", which multiplies color, k_a and k_d"
+                   : texture.mix == TextureMix::replace ? ", which replaces the color"
+                                                        : ", which multiplies color, k_a, k_d and k_e");
 }
 
 std::string material_text(const Scene& scene, const ExplainedHit& hit) {

@@ -2,9 +2,8 @@
 #include "cli/part_pictures.h"
 
 #include <algorithm>
-#include <cstdint>
-#include <span>
 
+#include "base/base64.h"
 #include "glint/compare.h"
 #include "image/contact_sheet.h"
 
@@ -12,19 +11,6 @@ namespace glint::cli {
 namespace {
 
 constexpr std::int32_t k_side = 240;  // pixels, of the longer side
-
-std::string base64(std::span<const std::uint8_t> bytes) {
-    constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-        std::uint32_t bits = 0;
-        for (std::size_t k = 0; k < 3; ++k) bits = bits << 8 | (k < count ? bytes[i + k] : 0);
-        for (std::size_t k = 0; k < 4; ++k) text += k <= count ? digits[bits >> (18 - 6 * k) & 63] : '=';
-    }
-    return text;
-}
 
 }  // namespace
 

@@ -2,34 +2,28 @@
 // Writes a mesh as a binary .ply file.
 #include <fmt/format.h>
 
-#include <array>
 #include <bit>
 #include <cstring>
 #include <iterator>
-#include <map>
 #include <utility>
-#include <vector>
 
 #include "base/status.h"
+#include "formats/single_vertices.h"
 #include "glint/write.h"
 #include "scene/validate_mesh.h"
 
 namespace glint {
 namespace {
 
-// What a vertex of the file has: the numbers of its position, normal, color and texture coordinates.
-using Vertex = std::array<std::uint32_t, 4>;
-
 // A file has one list of vertices: those that differ in one of these are several.
 class PlyWriter {
   public:
-    explicit PlyWriter(const MeshData& mesh) : mesh_(mesh) {}
+    explicit PlyWriter(const MeshData& mesh) : mesh_(mesh), single_(single_vertices(mesh)) {}
 
     std::string run() {
-        number_vertices();
         write_header();
-        for (const Vertex& vertex : vertices_) write_vertex(vertex);
-        for (const TriangleCorners& triangle : triangles_) {
+        for (const SingleVertex& vertex : single_.vertices) write_vertex(vertex);
+        for (const TriangleCorners& triangle : single_.triangles) {
             out_ += '\3';
             for (const std::uint32_t corner : triangle) append(corner);
         }
@@ -37,48 +31,21 @@ class PlyWriter {
     }
 
   private:
-    void number_vertices() {
-        if (mesh_.normals.corners.empty() && mesh_.colors.corners.empty() &&
-            mesh_.texture_coordinates.corners.empty()) {
-            for (std::uint32_t v = 0; v < mesh_.vertex_count(); ++v) vertices_.push_back({v, v, v, v});
-            triangles_ = mesh_.triangles;
-            return;
-        }
-        std::map<Vertex, std::uint32_t> numbers;
-        for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
-            TriangleCorners triangle;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const Vertex vertex{mesh_.triangles[i][k], number_of(mesh_.normals, i, k),
-                                    number_of(mesh_.colors, i, k),
-                                    number_of(mesh_.texture_coordinates, i, k)};
-                const auto [at, is_new] =
-                    numbers.emplace(vertex, static_cast<std::uint32_t>(vertices_.size()));
-                if (is_new) vertices_.push_back(vertex);
-                triangle[k] = at->second;
-            }
-            triangles_.push_back(triangle);
-        }
-    }
-    std::uint32_t number_of(const CornerValues& of, std::size_t triangle, std::size_t corner) const {
-        if (of.empty()) return CornerValues::k_none;
-        return (of.corners.empty() ? mesh_.triangles : of.corners)[triangle][corner];
-    }
-
     void write_header() {
         const std::string_view type = mesh_.single_positions.empty() ? "double" : "float";
         fmt::format_to(std::back_inserter(out_),
                        "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty {} x\nproperty {} "
                        "y\nproperty {} z\n",
-                       vertices_.size(), type, type, type);
+                       single_.vertices.size(), type, type, type);
         if (!mesh_.normals.empty()) out_ += "property float nx\nproperty float ny\nproperty float nz\n";
         if (!mesh_.colors.empty()) out_ += "property float red\nproperty float green\nproperty float blue\n";
         if (!mesh_.texture_coordinates.empty()) out_ += "property float s\nproperty float t\n";
         fmt::format_to(std::back_inserter(out_),
                        "element face {}\nproperty list uchar uint vertex_indices\nend_header\n",
-                       triangles_.size());
+                       single_.triangles.size());
     }
 
-    void write_vertex(const Vertex& vertex) {
+    void write_vertex(const SingleVertex& vertex) {
         if (mesh_.single_positions.empty()) {
             const Vec3 p = mesh_.position(vertex[0]);
             append(p.x), append(p.y), append(p.z);
@@ -103,8 +70,7 @@ class PlyWriter {
     }
 
     const MeshData& mesh_;
-    std::vector<Vertex> vertices_;
-    std::vector<TriangleCorners> triangles_;
+    const SingleVertices single_;
     std::string out_;
 };
 

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "image/encoders.h"
+#include "image/memory_file.h"
 #include "image/quantize.h"
 
 namespace glint {
@@ -56,6 +57,13 @@ void quantize_straight(const float* rgba, std::size_t pixels, const EncodeOption
 // Filters rows with Sub: a pixel minus its left neighbour. On ray-traced pictures, this with
 // runs alone (below) gives files as small as fast matching with any filter, and is faster; and strips do
 // not depend on each other.
+void filter_row(const std::uint8_t* row, std::size_t row_bytes, std::size_t pixel_bytes, std::uint8_t* out) {
+    *out++ = 1;
+    std::memcpy(out, row, pixel_bytes);
+    for (std::size_t i = pixel_bytes; i < row_bytes; ++i)
+        out[i] = static_cast<std::uint8_t>(row[i] - row[i - pixel_bytes]);
+}
+
 Bytes filter_rows(std::span<const float> rows, std::int32_t width, const EncodeOptions& options, bool alpha) {
     const std::size_t channels = alpha ? 4 : 3, samples = channels * static_cast<std::size_t>(width);
     const std::size_t pixel_bytes = options.bits == 8 ? channels : 2 * channels;
@@ -69,21 +77,18 @@ Bytes filter_rows(std::span<const float> rows, std::int32_t width, const EncodeO
         } else {
             quantize_row(&rows[first], samples, options.bits, options.rule(), row.data());
         }
-        *out++ = 1;
-        std::memcpy(out, row.data(), pixel_bytes);
-        for (std::size_t i = pixel_bytes; i < row_bytes; ++i) {
-            out[i] = static_cast<std::uint8_t>(row[i] - row[i - pixel_bytes]);
-        }
-        out += row_bytes;
+        filter_row(row.data(), row_bytes, pixel_bytes, out);
+        out += row_bytes + 1;
     }
     return filtered;
 }
 
 // A zlib stream is a header, raw deflate blocks, and a checksum of all data. Every strip except the last ends
 // with an empty stored block, which completes its last byte.
-EncodedStrip compress_strip(const Bytes& data, bool is_first, bool is_last) {
+EncodedStrip compress_strip(const Bytes& data, bool is_first, bool is_last, int level = 1,
+                            int strategy = Z_RLE) {
     z_stream z{};
-    if (deflateInit2(&z, 1, Z_DEFLATED, -15, 9, Z_RLE) != Z_OK) throw std::bad_alloc();
+    if (deflateInit2(&z, level, Z_DEFLATED, -15, 9, strategy) != Z_OK) throw std::bad_alloc();
     const std::size_t head = k_chunk_head + (is_first ? 2 : 0);
     EncodedStrip strip;
     Bytes& chunk = strip.bytes;
@@ -107,20 +112,27 @@ EncodedStrip compress_strip(const Bytes& data, bool is_first, bool is_last) {
     return strip;
 }
 
+Bytes png_header(std::uint32_t width, std::uint32_t height, int bits, bool alpha) {
+    Bytes header(13);  // width, height, bits, color type 2 (RGB) or 6 (RGBA), deflate, filters by row, not
+                       // interlaced
+    put32(header.data(), width);
+    put32(header.data() + 4, height);
+    header[8] = static_cast<std::uint8_t>(bits);
+    header[9] = alpha ? 6 : 2;
+    return header;
+}
+
+constexpr std::uint8_t k_signature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+
 class PngEncoder : public StripEncoder {
   public:
     PngEncoder(std::int32_t width, std::int32_t height, const EncodeOptions& options, ByteFile& file,
                bool alpha)
         : width_(width), strips_(count_strips(height)), options_(options), alpha_(alpha), file_(file) {
-        constexpr std::uint8_t signature[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-        file_.write(signature);
-        Bytes header(13);  // width, height, bits, color type 2 (RGB) or 6 (RGBA), deflate, filters by row,
-                           // not interlaced
-        put32(header.data(), static_cast<std::uint32_t>(width));
-        put32(header.data() + 4, static_cast<std::uint32_t>(height));
-        header[8] = static_cast<std::uint8_t>(options.bits);
-        header[9] = alpha ? 6 : 2;
-        write_chunk(file_, "IHDR", header);
+        file_.write(k_signature);
+        write_chunk(file_, "IHDR",
+                    png_header(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
+                               options.bits, alpha));
         if (options.transfer == Transfer::srgb) write_chunk(file_, "sRGB", {0});
     }
 
@@ -161,6 +173,29 @@ class PngEncoder : public StripEncoder {
 std::unique_ptr<StripEncoder> make_png_encoder(std::int32_t width, std::int32_t height,
                                                const EncodeOptions& options, ByteFile& file, bool alpha) {
     return std::make_unique<PngEncoder>(width, height, options, file, alpha);
+}
+
+std::vector<std::uint8_t> encode_png_words(std::uint32_t width, std::uint32_t height, bool alpha,
+                                           std::span<const std::uint8_t> words) {
+    const std::size_t channels = alpha ? 4 : 3, row_bytes = channels * width;
+    if ((row_bytes + 1) * height > UINT32_MAX) throw std::runtime_error("zlib takes 4 GiB at most");
+    Bytes filtered((row_bytes + 1) * height);
+    for (std::size_t y = 0; y < height; ++y)
+        filter_row(&words[row_bytes * y], row_bytes, channels, &filtered[(row_bytes + 1) * y]);
+    // Photographs, unlike ray-traced pictures, are smaller with all that deflate does.
+    EncodedStrip strip = compress_strip(filtered, true, true, 6, Z_DEFAULT_STRATEGY);
+    Bytes& data = strip.bytes;
+    data.resize(data.size() + 4 + k_chunk_tail);
+    put32(data.data() + data.size() - 4 - k_chunk_tail, strip.adler);
+    seal_chunk(data, "IDAT");
+    Bytes bytes;
+    MemoryFile file(bytes);
+    file.write(k_signature);
+    write_chunk(file, "IHDR", png_header(width, height, 8, alpha));
+    write_chunk(file, "sRGB", {0});
+    file.write(data);
+    write_chunk(file, "IEND", {});
+    return bytes;
 }
 
 }  // namespace glint

@@ -10,6 +10,9 @@ namespace glint {
 
 std::unique_ptr<StripEncoder> make_png_encoder(std::int32_t width, std::int32_t height,
                                                const EncodeOptions& options, ByteFile& file, bool alpha);
+/// A PNG of sRGB words with 8 bits: r, g, b, and with alpha a, of each pixel, in rows from the top.
+std::vector<std::uint8_t> encode_png_words(std::uint32_t width, std::uint32_t height, bool alpha,
+                                           std::span<const std::uint8_t> words);
 std::unique_ptr<StripEncoder> make_ppm_encoder(std::int32_t width, std::int32_t height,
                                                const EncodeOptions& options, ByteFile& file);
 std::unique_ptr<StripEncoder> make_tga_encoder(std::int32_t width, std::int32_t height,

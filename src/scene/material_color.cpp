@@ -78,6 +78,7 @@ Material with_texture(const Material& material, const Texture& texture, Color co
     } else {
         for (Color Material::*const member : {&Material::color, &Material::ambient, &Material::diffuse})
             changed.*member = material.*member * color;
+        if (texture.mix == TextureMix::multiply_all) changed.emission = material.emission * color;
     }
     const double opacity = texture.opacity(alpha);
     if (opacity == 1) return changed;

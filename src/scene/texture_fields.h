@@ -8,7 +8,7 @@ namespace glint {
 
 inline constexpr std::string_view k_wrap_words[] = {"repeat", "mirror", "clamp", "once", "clip"};
 inline constexpr std::string_view k_filter_words[] = {"nearest", "bilinear"};
-inline constexpr std::string_view k_mix_words[] = {"multiply", "replace"};
+inline constexpr std::string_view k_mix_words[] = {"multiply", "replace", "multiply_all"};
 inline constexpr std::string_view k_encoding_words[] = {"linear", "srgb"};
 inline constexpr std::string_view k_alpha_words[] = {"blend", "mask", "ignore"};
 inline constexpr std::string_view k_mapping_words[] = {"uv", "planar", "spherical", "cylindrical"};
@@ -32,8 +32,8 @@ inline constexpr ItemField<Texture> k_texture_fields[] = {
     {"filter", "filter", "filter", choice_field(&Texture::filter, k_filter_words),
      "the texel at the point, or a mean of four"},
     {"mix", "mix", "mix", choice_field(&Texture::mix, k_mix_words),
-     "whether the material's color, k_a and k_d are multiplied by the texture's color, or the color is "
-     "replaced"},
+     "whether the material's color, k_a and k_d are multiplied by the texture's color (multiply_all: k_e, "
+     "too), or the color is replaced"},
     {"encoding", "encoding", "encoding", choice_field(&Texture::encoding, k_encoding_words),
      "whether the texels are decoded by the sRGB curve"},
     {"alpha", "alpha", "alpha", choice_field(&Texture::alpha, k_alpha_words),

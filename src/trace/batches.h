@@ -169,8 +169,8 @@ struct SurfaceBatch {
     const std::uint32_t* row = nullptr;
     std::vector<double> colored_rows;
     BatchColumn<std::uint32_t> colored_row;
-    // The same for the values of the second table (ExtendedLanes): with textures that have alpha, as
-    // colored_row.
+    // The same for the values of the second table (ExtendedLanes): with textures that have alpha or color the
+    // emission, as colored_row.
     const double* extended = nullptr;
     const std::uint32_t* extended_row = nullptr;
     std::vector<double> faded_rows;

@@ -164,7 +164,7 @@ Result<World> with_material(const World& world, std::uint32_t index, const Mater
         return changed(world, find_mistakes(material, index), [&](WorldParts& parts) {
             pack_material(material, parts.materials.own().data() + std::size_t{index} * k_material_values);
             set_extended(parts, index, material);
-            set_alpha_uses(parts);
+            set_texture_uses(parts);
             set_color_factors(parts);
             if (parts.no_shadow->empty() && material.casts_shadow) return;
             std::vector<std::uint8_t>& no_shadow = parts.no_shadow.own();
@@ -195,7 +195,7 @@ Result<World> with_materials(const World& world, std::span<const Material> mater
             ExtendedMaterials extended = pack_extended_materials(materials);
             parts.extended = std::move(extended.table);
             parts.extended_uses = extended.uses;
-            set_alpha_uses(parts);
+            set_texture_uses(parts);
             set_color_factors(parts);
         });
     });

@@ -28,7 +28,7 @@ Result<World> prepare_valid(const Scene& scene, std::vector<Diagnostic> diagnost
     parts.extended = std::move(extended.table);
     parts.extended_uses = extended.uses;
     parts.textures = prepare_textures(scene.textures);
-    set_alpha_uses(parts);
+    set_texture_uses(parts);
     set_colors(parts, scene.shape_colors, options.threads);
     set_lights(prepare_lights(scene.lights), parts);
     parts.background = scene.background;

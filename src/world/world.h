@@ -80,7 +80,8 @@ struct WorldParts {
     // By row of `materials`: the factors of find_color_factors(); empty if has_surface_colors() is false.
     CopyOnWrite<std::vector<double>> color_factors;
     CopyOnWrite<std::vector<PreparedTexture>> textures;  // of Scene::textures
-    bool has_alpha_textures = false;                     // a material has one: set_alpha_uses()
+    bool has_alpha_textures = false;                     // a material has one: set_texture_uses()
+    bool has_emission_textures = false;                  // a material has one with TextureMix::multiply_all
     CopyOnWrite<std::vector<std::uint8_t>> no_shadow;    // by row of `materials`; empty: all cast shadows
     CopyOnWrite<std::vector<double>>
         extended;                      // k_extended_values each, by row of `materials`; empty: no uses
@@ -144,6 +145,8 @@ struct WorldParts {
                values[k_extended_value<&Material::transmit>] > 0 ||
                (has_alpha_textures && has_alpha_texture(row));
     }
+    /// Whether values of the second table differ from point to point.
+    bool has_extended_points() const { return has_alpha_textures || has_emission_textures; }
     /// The texture of a row's material, or null.
     const PreparedTexture* texture_of(std::uint32_t row) const {
         if (!uses<&Material::texture>()) return nullptr;

@@ -30,6 +30,22 @@ TEST(Convert, WritesTheLastOfItsFiles) {
     EXPECT_EQ(folder.count(), 3);
 }
 
+TEST(Convert, ToGltf) {
+    const Folder folder;
+    folder.write("a.cgfs", k_scene);
+    const Finished r = run(folder, {"convert", "a.cgfs", "a.glb"});
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_TRUE(contains(r.err, "a.cgfs: warning: glTF has no ambient light: it is left out\n")) << r.err;
+    EXPECT_TRUE(contains(r.err, "a.glb  ")) << r.err;
+    EXPECT_TRUE(folder.read("a.glb").starts_with("glTF"));
+    EXPECT_EQ(run(folder, {"convert", "-q", "a.cgfs", "-o", "A.GLTF"}).err, "");
+    EXPECT_TRUE(folder.read("A.GLTF").starts_with("{\"asset\":"));
+    for (const std::string name : {"a.glb", "A.GLTF"})
+        EXPECT_EQ(run(folder, {"render", name, "-s", "32x32", "-o", name + ".ppm"}).code, 0) << name;
+    EXPECT_EQ(folder.read("a.glb.ppm"), folder.read("A.GLTF.ppm"));
+    EXPECT_TRUE(run(folder, {"convert", "a.cgfs", "-o", "-"}).out.starts_with("# Converted"));
+}
+
 TEST(Convert, WhatTheOptionsChooseIsWritten) {
     const Folder folder;
     const Finished r =
@@ -174,9 +190,11 @@ TEST(Convert, WhatItCannotDo) {
     };
     const Case cases[] = {
         {{"convert"}, 2, "SCENE"},
-        {{"convert", "a.cgfs"}, 2, "expected SCENE... and OUT.glint"},
-        {{"convert", "a.cgfs", "b.cgfs"}, 2, "'b.cgfs': glint writes scenes as .glint only"},
-        {{"convert", "a.cgfs", "-o", "a.json"}, 2, "'a.json': glint writes scenes as .glint only"},
+        {{"convert", "a.cgfs"}, 2, "expected SCENE... and OUT.glint|glb|gltf"},
+        {{"convert", "a.cgfs", "b.cgfs"}, 2, "'b.cgfs': glint writes scenes as .glint, .glb or .gltf only"},
+        {{"convert", "a.cgfs", "-o", "a.json"},
+         2,
+         "'a.json': glint writes scenes as .glint, .glb or .gltf only"},
         {{"convert", "none.cgfs", "b.glint"}, 1, "none.cgfs: no such file"},
         {{"convert", "bad.cgfs", "b.glint"}, 1, "bad.cgfs:1:"},
         {{"convert", "a.cgfs", "none/b.glint"}, 1, "there is no folder 'none'"},

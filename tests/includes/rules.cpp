@@ -16,7 +16,7 @@ Names all_but(const Names& removed) {
     for (const std::string_view name :
          {"base",    "math",   "simd",    "scene", "formats", "geometry", "lighting", "bvh",
           "world",   "trace",  "explain", "check", "compare", "diagnose", "grade",    "image",
-          "journal", "output", "os",      "cli",   "mpi",     "wasm"}) {
+          "journal", "output", "os",      "cli",   "mpi",     "wasm",     "export"}) {
         if (!removed.contains(name)) names.insert(name);
     }
     return names;
@@ -81,28 +81,29 @@ const std::vector<Module>& modules() {
         {"formats", {"base", "math", "scene", "image"}, {"fmt/", "fast_float/"}},
         {"world",
          all_but({"trace", "explain", "check", "compare", "diagnose", "grade", "image", "journal", "output",
-                  "os", "cli", "mpi", "wasm"}),
+                  "os", "cli", "mpi", "wasm", "export"}),
          {"fmt/"}},
         {"trace",
          all_but({"explain", "check", "compare", "diagnose", "grade", "image", "journal", "output", "os",
-                  "cli", "mpi", "wasm"}),
+                  "cli", "mpi", "wasm", "export"}),
          {"fmt/"}},
         {"explain",
          all_but({"check", "compare", "diagnose", "grade", "image", "journal", "output", "os", "cli", "mpi",
-                  "wasm"}),
+                  "wasm", "export"}),
          {"fmt/", "fast_float/", "nlohmann/"}},
         {"check",
          all_but({"explain", "compare", "diagnose", "grade", "image", "journal", "output", "os", "cli", "mpi",
-                  "wasm"}),
+                  "wasm", "export"}),
          {"fmt/", "fast_float/", "nlohmann/"}},
         {"compare",
-         all_but({"explain", "check", "diagnose", "grade", "journal", "output", "os", "cli", "mpi", "wasm"}),
+         all_but({"explain", "check", "diagnose", "grade", "journal", "output", "os", "cli", "mpi", "wasm",
+                  "export"}),
          {"fmt/", "fast_float/", "nlohmann/"}},
         {"diagnose",
-         all_but({"check", "compare", "grade", "journal", "output", "os", "cli", "mpi", "wasm"}),
+         all_but({"check", "compare", "grade", "journal", "output", "os", "cli", "mpi", "wasm", "export"}),
          {"fmt/", "fast_float/", "nlohmann/"}},
         {"grade",
-         all_but({"explain", "check", "diagnose", "journal", "output", "os", "cli", "mpi", "wasm"}),
+         all_but({"explain", "check", "diagnose", "journal", "output", "os", "cli", "mpi", "wasm", "export"}),
          {"fmt/", "fast_float/", "nlohmann/"}},
         {"image",
          {"base", "math"},
@@ -110,6 +111,10 @@ const std::vector<Module>& modules() {
          false},
         {"journal", {"base"}, {"fmt/", "zlib.h", "xxhash.h"}, false},
         {"output", {"base", "trace", "image", "journal"}, {}, false},
+        {"export",
+         {"base", "math", "scene", "formats", "geometry", "bvh", "simd", "image", "world"},
+         {"fmt/", "nlohmann/"},
+         false},
         {"cli", all_but({"mpi", "wasm"}), {"fmt/", "nlohmann/", "CLI/"}, false},
         {"os",
          {},
@@ -117,7 +122,7 @@ const std::vector<Module>& modules() {
           "shellapi.h", "io.h"},
          false},
         {"mpi", all_but({"wasm"}), {"fmt/", "CLI/", "mpi.h"}, false},
-        {"wasm", all_but({"journal", "output", "os", "cli", "mpi"}), {"fmt/", "nlohmann/"}},
+        {"wasm", all_but({"journal", "output", "os", "cli", "mpi", "export"}), {"fmt/", "nlohmann/"}},
     };
     return list;
 }

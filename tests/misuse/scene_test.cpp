@@ -206,6 +206,27 @@ TEST(Misuse, OfWriteGlint) {
     EXPECT_TRUE(write_glint(Scene{}));
 }
 
+TEST(Misuse, OfWriteScene) {
+    ASSERT_FALSE(written_formats().empty());
+    for (const WrittenFormat& format : written_formats()) {
+        EXPECT_TRUE(write_scene(Scene{}, format.name)) << format.name;
+        EXPECT_TRUE(write_scene(some_scene(), format.name)) << format.name;
+        Scene dangling = some_scene();
+        dangling.shapes[0].material = 77;
+        EXPECT_EQ(write_scene(dangling, format.name).code, ErrorCode::invalid_scene) << format.name;
+        Scene named = some_scene();
+        named.files = {"\xff"};
+        named.shape_texts.names = {{0u, std::string("a\n\"}\0\xff", 6)}, {77u, "nobody"}};
+        named.profile = "no such profile";
+        const Result<std::string> bytes = write_scene(named, format.name);
+        ASSERT_TRUE(bytes) << format.name;
+        const SceneText again{"again" + std::string(format.extension), *bytes, ""};
+        EXPECT_TRUE(load({&again, 1})) << format.name;
+    }
+    for (const std::string_view none : {"", "GLB", "png", "\xff"})
+        EXPECT_EQ(write_scene(Scene{}, none).code, ErrorCode::invalid_argument) << none;
+}
+
 TEST(Misuse, OfLights) {
     EXPECT_EQ(to_string(beyond<LightKind>()), "unknown light");
     const Light odd{

@@ -189,23 +189,21 @@ std::optional<MaterialUse> Materials::read(JsonValue at) {
         material.transmit = 1 - base.alpha;
     }
     if (!read_transmission(at, base, material)) return std::nullopt;
+    const bool is_unlit = File::extension(at, "KHR_materials_unlit").exists();
     if (use.is_visible && base.texture.exists()) {
         const TextureAlpha alpha = mode == AlphaMode::opaque ? TextureAlpha::ignore
                                    : mode == AlphaMode::mask ? TextureAlpha::mask
                                                              : TextureAlpha::blend;
         const double least = base.alpha > 0 ? number::min(cutoff / base.alpha, 1.0) : 0;
-        const std::optional<TextureUse> texture = textures_.use(base.texture, alpha, least);
+        const std::optional<TextureUse> texture = textures_.use(
+            base.texture, alpha, least, is_unlit ? TextureMix::multiply_all : TextureMix::multiply);
         if (!texture) return std::nullopt;
         material.texture = texture->texture;
         use.has_texture = texture->texture != k_none;
         use.texture_set = texture->set;
     }
-    if (File::extension(at, "KHR_materials_unlit").exists()) {
+    if (is_unlit) {
         use.is_unlit = true;
-        if (use.has_texture)
-            file_.warn_once("gltf unlit", at, "glint does not draw the textures of unlit materials");
-        material.texture = k_none;
-        use.has_texture = false;
         material.emission = material.color = limited(base.color);
         material.ambient = material.diffuse = material.specular = {};
     }

@@ -105,7 +105,7 @@ const Textures::Picture* Textures::picture(JsonValue source) {
     return read_picture(file_.item(List::images, *index), found->second) ? &found->second : nullptr;
 }
 
-std::optional<TextureUse> Textures::use(JsonValue info, TextureAlpha alpha, double cutoff) {
+std::optional<TextureUse> Textures::use(JsonValue info, TextureAlpha alpha, double cutoff, TextureMix mix) {
     const JsonValue number = info.find("index");
     if (!number.exists()) {
         file_.expected(info, "an object with the `index` of a texture");
@@ -131,9 +131,10 @@ std::optional<TextureUse> Textures::use(JsonValue info, TextureAlpha alpha, doub
     texture.file = found->file;
     texture.encoding = TextureEncoding::srgb;
     texture.alpha = alpha;
+    texture.mix = mix;
     if (alpha == TextureAlpha::mask) texture.alpha_cutoff = cutoff;
     std::vector<Texture>& all = file_.reading.scene.textures;
-    const TextureKey key{*index, alpha, texture.alpha_cutoff, numbers_of(texture.uv_map)};
+    const TextureKey key{*index, alpha, mix, texture.alpha_cutoff, numbers_of(texture.uv_map)};
     const auto [known, is_new] = textures_.try_emplace(key, static_cast<std::uint32_t>(all.size()));
     if (is_new) {
         all.push_back(std::move(texture));

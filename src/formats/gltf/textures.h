@@ -23,11 +23,11 @@ class Textures {
 
     /// The texture of a textureInfo object. Nothing after an error; a use without texture if its picture
     /// cannot be read, which is a warning. cutoff: Texture::alpha_cutoff, for TextureAlpha::mask.
-    std::optional<TextureUse> use(JsonValue info, TextureAlpha alpha, double cutoff);
+    std::optional<TextureUse> use(JsonValue info, TextureAlpha alpha, double cutoff, TextureMix mix);
 
   private:
     /// A texture, what its alpha does, the cutoff, and uv_map.
-    using TextureKey = std::tuple<std::uint32_t, TextureAlpha, double, std::array<double, 6>>;
+    using TextureKey = std::tuple<std::uint32_t, TextureAlpha, TextureMix, double, std::array<double, 6>>;
     struct Picture {
         std::shared_ptr<const TextureImage> texels;  ///< null: it cannot be read
         std::string file;

@@ -22,6 +22,8 @@ std::uint32_t SceneBuilder::texture_of(const Inherited& own, const Token& at) {
     const Affine pattern = pigment.map.value_or(Affine{});
     const bool is_uv = own.is_uv || own.texture->has_own_place();
     glint::Texture texture = image;
+    const Color& emission = own.texture->finish.emission;
+    if (!(emission == Color{0, 0, 0})) texture.mix = TextureMix::multiply_all;
     if (is_uv) {
         if (image.mapping != TextureMapping::planar)
             report({"uv_mapping", "of an image_map with a map_type", stream_.call_place(at)});
@@ -46,8 +48,9 @@ std::uint32_t SceneBuilder::texture_of(const Inherited& own, const Token& at) {
         texture.world_from_texture =
             after(own.texture_map, is_round ? compose(pattern, k_pattern_from_round) : pattern);
     }
-    NumberTable<14>::Key key{pigment.image_number, static_cast<double>(texture.mapping)};
-    double* number = key.data() + 2;
+    NumberTable<15>::Key key{pigment.image_number, static_cast<double>(texture.mapping),
+                             static_cast<double>(texture.mix)};
+    double* number = key.data() + 3;
     for (const auto& row : texture.world_from_texture.m) number = std::copy(row, row + 4, number);
     if (const std::uint32_t* known = textures_.find(key)) return *known;
     if (!inverse(texture.world_from_texture)) {

@@ -136,7 +136,7 @@ class SceneBuilder {
     CountedVector<std::uint32_t> glass_;  // shapes that refract
     Token glass_at_;                      // the last of them
     NumberTable<34> materials_;
-    NumberTable<14> textures_;
+    NumberTable<15> textures_;
     NumberTable<34>::Key last_key_{};
     std::uint32_t last_material_ = k_none;
     bool is_last_plain_ = false;  // its shape had no warnings but those of the material

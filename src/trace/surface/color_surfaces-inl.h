@@ -18,11 +18,11 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 /// Writes the values of the hits' materials with the colors of their shapes, meshes' vertices or textures,
-/// and those of the second table with the alpha of textures. Consecutive hits of one surface share a row if
+/// and those of the second table with the alpha of textures and the emission that these color. Consecutive hits of one surface share a row if
 /// its color is the same everywhere.
 inline void write_colored_rows(const WorldParts& world, SurfaceBatch& surfaces) {
     surfaces.colored_rows.resize(std::size_t{k_batch_size} * k_material_values);
-    const bool fades = world.has_alpha_textures;
+    const bool fades = world.has_extended_points();
     if (fades) surfaces.faded_rows.resize(std::size_t{k_batch_size} * k_extended_values);
     std::uint32_t* rows = surfaces.colored_row.data();
     std::uint32_t row = 0;

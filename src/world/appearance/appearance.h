@@ -132,10 +132,15 @@ inline bool is_hole(const WorldParts& world, SurfaceId id, Vec3 point) {
 }
 
 /// Writes the k_extended_values of a surface: its material's row, with the transparency of a texture, if it
-/// has one.
+/// has one, and its emission with TextureMix::multiply_all.
 inline void write_extended_values(const WorldParts& world, SurfaceId id,
                                   const std::optional<TextureSample>& texture, double* to) {
-    std::copy_n(world.extended_row(material_row(world, id)), k_extended_values, to);
+    const std::uint32_t row = material_row(world, id);
+    std::copy_n(world.extended_row(row), k_extended_values, to);
+    if (texture && world.texture_of(row)->mix == TextureMix::multiply_all) {
+        const double channels[3] = {texture->color.r, texture->color.g, texture->color.b};
+        for (int c = 0; c < 3; ++c) to[k_extended_value<&Material::emission> + c] *= channels[c];
+    }
     const double opacity = texture_opacity(world, id, texture);
     if (opacity == 1) return;
     to[k_extended_value<&Material::filter>] *= opacity;

@@ -140,10 +140,14 @@ void set_colors(WorldParts& parts, std::span<const ShapeColor> colors, int threa
     set_color_factors(parts);
 }
 
-void set_alpha_uses(WorldParts& parts) {
-    parts.has_alpha_textures = false;
-    for (std::uint32_t row = 0; row < parts.scene_materials(); ++row)
-        parts.has_alpha_textures = parts.has_alpha_textures || parts.has_alpha_texture(row);
+void set_texture_uses(WorldParts& parts) {
+    parts.has_alpha_textures = parts.has_emission_textures = false;
+    for (std::uint32_t row = 0; row < parts.scene_materials(); ++row) {
+        const PreparedTexture* const texture = parts.texture_of(row);
+        if (texture == nullptr) continue;
+        parts.has_alpha_textures = parts.has_alpha_textures || texture->has_alpha();
+        parts.has_emission_textures = parts.has_emission_textures || texture->mix == TextureMix::multiply_all;
+    }
     if (parts.has_alpha_textures) parts.extended_uses |= k_extended_field<&Material::transmit>;
 }
 

@@ -23,8 +23,9 @@ std::vector<double> find_color_factors(std::span<const double> materials);
 /// WorldParts::slot_color. colors: by shape, as Scene::shape_colors.
 std::vector<float> find_slot_colors(std::span<const ShapeColor> colors, const PackedGeometry& geometry,
                                     int threads);
-/// Sets WorldParts::has_alpha_textures, and counts such textures as uses of Material::transmit.
-void set_alpha_uses(WorldParts& parts);
+/// Sets WorldParts::has_alpha_textures, and counts such textures as uses of Material::transmit; sets
+/// WorldParts::has_emission_textures.
+void set_texture_uses(WorldParts& parts);
 /// Sets WorldParts::color_factors.
 void set_color_factors(WorldParts& parts);
 /// Gives the World's shapes these colors.

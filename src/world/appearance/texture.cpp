@@ -129,17 +129,7 @@ std::optional<TexturePlace> surface_uv(const PackedGeometry& geometry, const Pre
         if (!uv) return std::nullopt;
         return TexturePlace{uv->x, uv->y};
     }
-    const Vec3 p = transform_point(texture.texture_from_world, point);
-    switch (texture.mapping) {
-        case TextureMapping::spherical:
-            return TexturePlace{around(p), up(p)};
-        case TextureMapping::cylindrical:
-            return TexturePlace{around(p), p.y};
-        case TextureMapping::planar:
-        case TextureMapping::uv:
-            break;
-    }
-    return TexturePlace{p.x, p.y};
+    return place_on(texture.mapping, transform_point(texture.texture_from_world, point));
 }
 
 }  // namespace
@@ -155,6 +145,19 @@ std::vector<PreparedTexture> prepare_textures(std::span<const Texture> textures)
         if (texture.image->has_alpha) p.alphas = tables.of(*texture.image, false);
     }
     return prepared;
+}
+
+TexturePlace place_on(TextureMapping mapping, Vec3 p) {
+    switch (mapping) {
+        case TextureMapping::spherical:
+            return TexturePlace{around(p), up(p)};
+        case TextureMapping::cylindrical:
+            return TexturePlace{around(p), p.y};
+        case TextureMapping::planar:
+        case TextureMapping::uv:
+            break;
+    }
+    return TexturePlace{p.x, p.y};
 }
 
 std::optional<TexturePlace> texture_place(const PackedGeometry& geometry, const PreparedTexture& texture,

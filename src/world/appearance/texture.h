@@ -40,6 +40,10 @@ struct TextureSample {
     double alpha = 1;
 };
 
+/// The place that a mapping other than `uv` gives a point in the texture's coordinates, before
+/// Texture::uv_map.
+TexturePlace place_on(TextureMapping mapping, Vec3 p);
+
 /// The place of a surface's point. Nothing without texture coordinates.
 std::optional<TexturePlace> texture_place(const PackedGeometry& geometry, const PreparedTexture& texture,
                                           SurfaceId id, Vec3 point);
