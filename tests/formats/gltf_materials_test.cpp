@@ -116,6 +116,25 @@ TEST(GltfMaterials, ColorsOfVerticesAreMultipliedByTheFactor) {
     EXPECT_NE(messages(result).find("glint ignores the alpha of the colors of vertices"), std::string::npos);
 }
 
+TEST(GltfMaterials, HighlightsTakeTheColorsOfVerticesOnlyOfMetals) {
+    const auto red = [](const std::string& metallic) {
+        GltfText file = gltf_square(R"({"pbrMetallicRoughness": {"roughnessFactor": 0.5, "metallicFactor": )" +
+                                    metallic + "}}");
+        const int colors = file.floats("VEC3", 4, {1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0});
+        std::string& mesh = file.members["meshes"];
+        mesh.insert(mesh.find("\"NORMAL\""), fmt::format("\"COLOR_0\": {}, ", colors));
+        return with_color(quiet_scene(file.text(), "a.gltf").materials.at(0), {1, 0, 0});
+    };
+    const Material plastic = red("0"), metal = red("1"), half = red("0.5");
+    const double height = 0.75 * 32 / 8;
+    expect_gltf_color(plastic.diffuse, {1, 0, 0});
+    expect_gltf_color(plastic.specular, Color{0.04, 0.04, 0.04} * height);
+    expect_gltf_color(metal.diffuse, {1.25 / 2, 0, 0});
+    expect_gltf_color(metal.specular, {1, 0, 0});
+    expect_gltf_color(half.diffuse, {0.5 + 0.5 * 1.25 / 2, 0, 0});
+    EXPECT_EQ(half.specular.r, half.specular.b);
+}
+
 TEST(GltfCameras, TheFirstOfTheNodesCounts) {
     GltfText file = gltf_square();
     file.members["cameras"] =

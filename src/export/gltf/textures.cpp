@@ -25,6 +25,7 @@ int wrap_number(TextureWrap wrap) {
             return k_mirror;
         case TextureWrap::clamp:
         case TextureWrap::once:
+        case TextureWrap::clip:
             break;
     }
     return k_clamp;
@@ -93,8 +94,8 @@ std::optional<UvTransform> transform_of(const UvMap& map) {
 }
 
 void TextureList::warn(const Texture& texture) {
-    if (texture.wrap_u == TextureWrap::once || texture.wrap_v == TextureWrap::once)
-        losses_.add("textures with the wrap `once`", "they are written as `clamp`");
+    if (texture.has_wrap(TextureWrap::once) || texture.has_wrap(TextureWrap::clip))
+        losses_.add("textures with the wrap `once` or `clip`", "they are written as `clamp`");
     if (texture.image->words.index() == 1)
         losses_.add("textures with 16 bits a channel that all programs read", "they are written with 8");
     if (texture.mapping != TextureMapping::uv)

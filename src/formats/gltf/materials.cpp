@@ -40,17 +40,15 @@ void set_reflection(Material& material, const Reflection& r) {
 }
 
 std::optional<MaterialUse> Materials::use(JsonValue primitive) {
+    const bool has_vertex_colors = primitive.find("attributes").find("COLOR_0").exists();
+    auto& all = known_[has_vertex_colors];
     const JsonValue value = primitive.find("material");
-    if (!value.exists()) {
-        if (!default_) default_ = read({});
-        return default_;
-    }
-    const std::optional<std::uint32_t> index = file_.index(value, List::materials);
-    if (!index) return std::nullopt;
-    Known& known = known_[*index];
+    std::optional<std::uint32_t> index;
+    if (value.exists() && !(index = file_.index(value, List::materials))) return std::nullopt;
+    Known& known = index ? all[*index] : all.back();
     if (!known.is_read) {
         known.is_read = true;
-        known.use = read(file_.item(List::materials, *index));
+        known.use = read(index ? file_.item(List::materials, *index) : JsonValue{}, has_vertex_colors);
     }
     return known.use;
 }
@@ -96,7 +94,8 @@ bool Materials::read_metal(JsonValue at, Base& base, Material& material) {
     const double reflected = (index - 1) / (index + 1);
     const Color dielectric = index == k_index ? specular_color * (k_dielectric * specular)
                                               : specular_color * (reflected * reflected * specular);
-    set_reflection(material, {base.color * (1 - metallic), base.color * metallic,
+    base.is_metal = metallic == 1;
+    set_reflection(material, {base.reflected() * (1 - metallic), base.reflected() * metallic,
                               dielectric * (1 - metallic) + base.color * metallic, roughness});
     return true;
 }
@@ -117,9 +116,10 @@ bool Materials::read_glossiness(JsonValue from, Base& base, Material& material) 
         file_.warn_once("gltf specular map", map, "glint ignores the maps of specular color and glossiness");
     }
     const auto beyond = [](double channel) { return number::max(channel - k_dielectric, 0.0); };
-    set_reflection(
-        material,
-        {base.color, {beyond(specular.r), beyond(specular.g), beyond(specular.b)}, specular, 1 - glossiness});
+    set_reflection(material, {base.reflected(),
+                              {beyond(specular.r), beyond(specular.g), beyond(specular.b)},
+                              specular,
+                              1 - glossiness});
     return true;
 }
 
@@ -172,10 +172,11 @@ void Materials::warn_about_maps(JsonValue at) {
         file_.warn_once("gltf occlusion map", map, "glint ignores the occlusion maps");
 }
 
-std::optional<MaterialUse> Materials::read(JsonValue at) {
+std::optional<MaterialUse> Materials::read(JsonValue at, bool has_vertex_colors) {
     Material material;
     MaterialUse use;
     Base base;
+    base.has_vertex_colors = has_vertex_colors;
     AlphaMode mode = AlphaMode::opaque;
     double cutoff = 0.5;
     if (!read_reflection(at, base, material) || !read_alpha(at, mode, cutoff) || !read_emission(at, material))
@@ -195,8 +196,12 @@ std::optional<MaterialUse> Materials::read(JsonValue at) {
                                    : mode == AlphaMode::mask ? TextureAlpha::mask
                                                              : TextureAlpha::blend;
         const double least = base.alpha > 0 ? number::min(cutoff / base.alpha, 1.0) : 0;
-        const std::optional<TextureUse> texture = textures_.use(
-            base.texture, alpha, least, is_unlit ? TextureMix::multiply_all : TextureMix::multiply);
+        // The highlights of a metal have its color. Multiplied colors leave them as they are.
+        const bool tints_highlights = base.is_metal && base.color == Color{1, 1, 1} && !has_vertex_colors;
+        const TextureMix mix = is_unlit           ? TextureMix::multiply_all
+                               : tints_highlights ? TextureMix::replace
+                                                  : TextureMix::multiply;
+        const std::optional<TextureUse> texture = textures_.use(base.texture, alpha, least, mix);
         if (!texture) return std::nullopt;
         material.texture = texture->texture;
         use.has_texture = texture->texture != k_none;

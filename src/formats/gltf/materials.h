@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Materials of glTF as those of a Phong model. docs/formats/gltf.md states the convention.
+#include <array>
 #include <optional>
 #include <string>
 
 #include "formats/gltf/textures.h"
+#include "scene/material_color.h"
 
 namespace glint::gltf {
 
@@ -22,10 +24,12 @@ struct MaterialUse {
 
 class Materials {
   public:
-    Materials(File& file, Textures& textures)
-        : file_(file), textures_(textures), known_(file.count(List::materials)) {}
+    Materials(File& file, Textures& textures) : file_(file), textures_(textures) {
+        for (auto& known : known_) known.resize(std::size_t{file.count(List::materials)} + 1);
+    }
 
-    /// The material of a primitive, or the default one. Nothing after an error.
+    /// The material of a primitive, or the default one. Nothing after an error. With COLOR_0, the highlights
+    /// of what is no metal do not take the colors of the vertices.
     std::optional<MaterialUse> use(JsonValue primitive);
 
   private:
@@ -34,8 +38,13 @@ class Materials {
         Color color{1, 1, 1};
         double alpha = 1;
         JsonValue texture;
+        bool has_vertex_colors = false;
+        bool is_metal = false;  // and nothing else
+
+        // What the coefficients are multiples of.
+        Color reflected() const { return has_vertex_colors && !is_metal ? k_color_of_vertices : color; }
     };
-    std::optional<MaterialUse> read(JsonValue at);
+    std::optional<MaterialUse> read(JsonValue at, bool has_vertex_colors);
     bool read_alpha(JsonValue at, AlphaMode& mode, double& cutoff);
     bool read_reflection(JsonValue at, Base& base, Material& material);
     bool read_glossiness(JsonValue from, Base& base, Material& material);
@@ -50,8 +59,8 @@ class Materials {
     };
     File& file_;
     Textures& textures_;
-    CountedVector<Known> known_;
-    std::optional<MaterialUse> default_;
+    // Without and with colors of vertices; the last one is the default material.
+    std::array<CountedVector<Known>, 2> known_;
 };
 
 /// What a surface reflects. metal: the part of f0, the light that it reflects at a right angle, that has the

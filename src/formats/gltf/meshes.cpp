@@ -121,6 +121,10 @@ bool Meshes::open_attributes(JsonValue attributes, const MaterialUse& use, Attri
     if (use.has_texture)
         to.coordinates =
             open_attribute(attributes, fmt::format("TEXCOORD_{}", use.texture_set), 2, 2, count, is_right);
+    if (is_right && use.has_texture && to.coordinates == nullptr)
+        file_.warn_once(
+            "gltf coordinates", attributes,
+            fmt::format("without `TEXCOORD_{}`, a primitive is drawn without its texture", use.texture_set));
     return is_right;
 }
 

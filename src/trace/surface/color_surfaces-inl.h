@@ -18,8 +18,8 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 /// Writes the values of the hits' materials with the colors of their shapes, meshes' vertices or textures,
-/// and those of the second table with the alpha of textures and the emission that these color. Consecutive hits of one surface share a row if
-/// its color is the same everywhere.
+/// and those of the second table with the alpha of textures and the emission that these color. Consecutive
+/// hits of one surface share a row if its color is the same everywhere.
 inline void write_colored_rows(const WorldParts& world, SurfaceBatch& surfaces) {
     surfaces.colored_rows.resize(std::size_t{k_batch_size} * k_material_values);
     const bool fades = world.has_extended_points();
