@@ -35,8 +35,15 @@ bool Contents::skinned(JsonValue node, Affine& world_from_mesh) {
     if (!value.exists()) return true;
     const std::optional<std::uint32_t> index = file_.index(value, List::skins);
     if (!index) return false;
-    const JsonValue skin = file_.item(List::skins, *index);
     file_.warn_once("gltf skins", value, "glint draws meshes with skins at rest, as they were bound");
+    // Many nodes may share a skin of many joints.
+    const auto [known, is_new] = skins_.try_emplace(*index);
+    if (is_new && !read_skin(file_.item(List::skins, *index), known->second)) return false;
+    if (known->second) world_from_mesh = *known->second;
+    return true;
+}
+
+bool Contents::read_skin(JsonValue skin, std::optional<Affine>& world_from_mesh) {
     JsonValue first;
     skin.find("joints").for_each([&](JsonValue joint) {
         if (!first.exists()) first = joint;

@@ -21,11 +21,13 @@ class Contents {
     void add_shapes(JsonValue node, std::span<const MeshPart> parts, const Affine& world_from_mesh,
                     const std::string& name);
     bool skinned(JsonValue node, Affine& world_from_mesh);
+    bool read_skin(JsonValue skin, std::optional<Affine>& world_from_mesh);
 
     File& file_;
     Accessors& accessors_;
     Meshes& meshes_;
     const Nodes& nodes_;
+    CountedMap<std::uint32_t, std::optional<Affine>> skins_;  // the places of meshes that have them
     std::uint64_t shapes_ = 0;
     Extent box_;  // of the boxes of all shapes
 };
