@@ -26,7 +26,7 @@ double middle_of(std::vector<double>& values) {
 }
 
 // An interval; empty as long as least > most.
-struct Range {
+struct Interval {
     double least = number::k_infinity, most = -number::k_infinity;
     void add(double x) {
         least = number::min(least, x);
@@ -34,8 +34,8 @@ struct Range {
     }
 };
 // Whether numbers of the intervals a x + b y + c reach 0 to 1.
-bool reaches_picture(const double (&row)[3], const Range& x, const Range& y) {
-    Range mapped;
+bool reaches_picture(const double (&row)[3], const Interval& x, const Interval& y) {
+    Interval mapped;
     for (const double u : {x.least, x.most})
         for (const double v : {y.least, y.most}) mapped.add(row[0] * u + row[1] * v + row[2]);
     // Not a number: unknown.
@@ -110,9 +110,9 @@ bool is_everywhere(const PackedGeometry& geometry, const PreparedTexture& textur
 }
 
 // u and v of a surface that is not everywhere, before Texture::uv_map; nothing if it has none.
-std::optional<std::array<Range, 2>> uv_ranges(const Scene& scene, const PackedGeometry& geometry,
-                                              const PreparedTexture& texture, std::uint32_t slot) {
-    std::array<Range, 2> uv;
+std::optional<std::array<Interval, 2>> uv_ranges(const Scene& scene, const PackedGeometry& geometry,
+                                                 const PreparedTexture& texture, std::uint32_t slot) {
+    std::array<Interval, 2> uv;
     if (texture.mapping == TextureMapping::uv) {
         const Shape& shape = scene.shapes[geometry.shape_index[slot]];
         if (shape.kind != ShapeKind::mesh) return {};
@@ -126,7 +126,7 @@ std::optional<std::array<Range, 2>> uv_ranges(const Scene& scene, const PackedGe
         return uv;
     }
     if (texture.mapping != TextureMapping::planar) {
-        uv = {Range{0, 1}, Range{0, 1}};
+        uv = {Interval{0, 1}, Interval{0, 1}};
         if (texture.mapping == TextureMapping::spherical) return uv;
         uv[1] = {};
     }
