@@ -99,6 +99,80 @@ TEST(CheckTextures, Invisible) {
     EXPECT_EQ(shown(none, "wrap_u = once  uv_map = ((2, 0, 0), (0, 2, 0))"), "");
 }
 
+// Two texels, the left one a hole, and a square in front of the other shapes with these coordinates.
+std::string masked(const std::string& coordinates, const std::string& keys = "alpha = mask") {
+    return "texture checks { texels = (\"20202000 e0e0e0ff\")  filter = nearest  " + keys + " }\n" +
+           k_painted + square(coordinates);
+}
+const std::string k_in_hole = "(0, 0), (0.4, 0), (0.4, 1), (0, 1)";
+
+TEST(CheckTextures, OnlyHolesAreSeen) {
+    EXPECT_EQ(ids_of(k_clean + masked(k_in_hole)), "shape-only-holes@9");
+    const std::string message = only_message(k_clean + masked(k_in_hole));
+    EXPECT_TRUE(has(message,
+                    "mesh 4 (line 9) is seen only where texture 'checks' (line 7) has a hole: rays meet it "))
+        << message;
+    for (const std::string seen : {"alpha = ignore", "alpha = mask  alpha_cutoff = 0",
+                                   "alpha = mask  uv_map = ((1, 0, 0.5), (0, 1, 0))"})
+        EXPECT_EQ(ids_of(k_clean + masked(k_in_hole, seen)), "") << seen;
+    EXPECT_EQ(ids_of(k_clean + masked("(0, 0), (0.6, 0), (0.6, 1), (0, 1)")), "");
+    // It is a few pixels large, and the picture does not show all of it.
+    EXPECT_EQ(
+        ids_of("render { size = 24 x 18 }\n" + k_clean.substr(k_clean.find("  camera")) + masked(k_in_hole)),
+        "");
+}
+
+TEST(CheckTextures, TheCameraLooksAtHoles) {
+    const std::string view = k_clean.substr(0, k_clean.find("plane"));
+    const std::string plane = "plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.5, 0.5, 0.5) }\n";
+    EXPECT_EQ(ids_of(view + plane + masked(k_in_hole)), "shape-only-holes@7");
+    EXPECT_EQ(ids_of(view + masked(k_in_hole)), "shape-only-holes@6");
+    // A plane is all that the camera could see.
+    EXPECT_EQ(
+        ids_of(view +
+               "texture checks { texels = (\"20202000\", \"20202000\", \"202020ff\")  mapping = planar  "
+               "wrap_u = clamp  wrap_v = clamp  alpha = mask  filter = nearest  translate = (0, -90, 0) }\n"
+               "plane { point = (0, 0, -9)  normal = (0, 0, 1)  texture = checks }\n"),
+        "shape-only-holes@5");
+    // It looks elsewhere.
+    EXPECT_EQ(ids_of("camera { position = (0, 2, 8)  look_at = (0, 0.5, 90) }\n" + plane + masked(k_in_hole)),
+              "camera-sees-nothing@1");
+}
+
+TEST(CheckTextures, ShapesBehindHolesAndWithHolesAreNotHidden) {
+    // A square behind another one, both transparent everywhere: the reason is their texture.
+    const std::string sheets =
+        "texture checks { texels = (\"20202000 e0e0e000\")  alpha = mask }\n" + k_painted + square(k_whole) +
+        "mesh { vertices = ((-0.3, 0.9, 1), (0.3, 0.9, 1), (0.3, 1.5, 1), (-0.3, 1.5, 1))  "
+        "triangles = ((0, 1, 2), (0, 2, 3))  texture_coordinates = (" +
+        k_whole +
+        ")  "
+        "material = painted }\n";
+    EXPECT_EQ(ids_of(k_clean + sheets), "texture-invisible@7");
+    // Around the camera.
+    EXPECT_EQ(
+        ids_of(k_clean +
+               "texture checks { texels = (\"20202000 e0e0e000\")  mapping = spherical  alpha = mask }\n"
+               "sphere { center = (0, 2, 8)  radius = 0.5  texture = checks }\n"),
+        "texture-invisible@7");
+    // What is behind a hole is thin, not hidden.
+    const std::string wire = "cylinder { from = (-0.2, 1.2, 1)  to = (0.2, 1.3, 1)  radius = 0.0002 }\n";
+    EXPECT_EQ(ids_of(k_clean + wire), "shape-too-small@7");
+    EXPECT_EQ(ids_of(k_clean + wire + sheets.substr(0, sheets.find("mesh", sheets.find("mesh") + 4))),
+              "shape-too-small@7 texture-invisible@8");
+}
+
+TEST(CheckTextures, HolesShowTheBackground) {
+    // Most of the square is a hole; the rest is not taken for the background.
+    const std::string sky = "background = (0.4, 0.6, 0.9)\n" + k_clean.substr(0, k_clean.find("plane"));
+    const std::string sheet =
+        "texture checks { texels = (\"20202000 20202000 20202000 20202000 20202000 20202000 20202000 "
+        "e0e0e0ff\")  "
+        "filter = nearest  alpha = mask }\n" +
+        k_painted + square(k_whole);
+    EXPECT_EQ(ids_of(sky + sheet), "");
+}
+
 TEST(CheckTextures, TooFine) {
     const auto scaled = [](std::string_view scale, std::string_view texels = "202020 e0e0e0") {
         return k_clean +
