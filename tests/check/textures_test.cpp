@@ -201,5 +201,62 @@ TEST(CheckTextures, TooFine) {
               "");
 }
 
+// A wall whose coordinates go this far.
+std::string fine_wall(double u, double v, const std::string& texels = "\"202020 e0e0e0\", \"e0e0e0 202020\"",
+                      const std::string& keys = "") {
+    return k_clean + fmt::format("texture checks {{ texels = ({})  {} }}\n", texels, keys) + k_painted +
+           square(fmt::format("(0, 0), ({0}, 0), ({0}, {1}), (0, {1})", u, v));
+}
+
+TEST(CheckTextures, TooFineInOneDirection) {
+    // The wall is about 37 pixels wide and high.
+    const std::string columns = "\"202020 e0e0e0\"", rows = "\"202020\", \"e0e0e0\"";
+    EXPECT_EQ(ids_of(fine_wall(100000, 0.001, columns)), "texture-too-fine@7");
+    EXPECT_EQ(ids_of(fine_wall(0.001, 100000, rows)), "texture-too-fine@7");
+    EXPECT_TRUE(has(only_message(fine_wall(100000, 0.001, columns)), " texels long, whose colors differ by "))
+        << only_message(fine_wall(100000, 0.001, columns));
+    EXPECT_EQ(ids_of(fine_wall(1000, 1, columns)), "texture-too-fine@7");
+    EXPECT_EQ(ids_of(fine_wall(200, 0.001, columns)), "");
+    EXPECT_EQ(ids_of(fine_wall(200, 200, columns)), "");
+    // It varies only in the other direction.
+    EXPECT_EQ(ids_of(fine_wall(100000, 1, rows)), "");
+    EXPECT_EQ(ids_of(fine_wall(1, 100000, columns)), "");
+    EXPECT_EQ(ids_of("render { aa = 8 }\n" + fine_wall(1000, 1, columns)), "");
+}
+
+TEST(CheckTextures, NoiseOfAlpha) {
+    const std::string texels = "\"e0e0e000 e0e0e0ff\", \"e0e0e0ff e0e0e000\"";
+    EXPECT_EQ(ids_of(fine_wall(10000, 10000, texels, "alpha = mask")), "texture-too-fine@7");
+    EXPECT_EQ(ids_of(fine_wall(10000, 10000, texels)), "texture-too-fine@7");
+    EXPECT_TRUE(
+        has(only_message(fine_wall(10000, 10000, texels, "alpha = mask")), "whose alpha differs by "));
+    EXPECT_EQ(ids_of(fine_wall(10000, 10000, texels, "alpha = ignore")), "");
+    EXPECT_EQ(ids_of(fine_wall(10, 10, texels, "alpha = mask")), "");
+    // The alpha hardly varies, or all of it is above the cutoff.
+    EXPECT_EQ(ids_of(fine_wall(10000, 10000, "\"e0e0e0d0 e0e0e0d8\", \"e0e0e0d8 e0e0e0d0\"")), "");
+    EXPECT_EQ(ids_of(fine_wall(10000, 10000, "\"e0e0e0a0 e0e0e0ff\", \"e0e0e0ff e0e0e0a0\"", "alpha = mask")),
+              "");
+    // Colors that differ where the surface is nearly transparent.
+    EXPECT_EQ(ids_of(fine_wall(10000, 10000, "\"20202008 e0e0e008\", \"e0e0e008 20202008\"")), "");
+}
+
+TEST(CheckTextures, NoiseOfAlphaThatShowsNothing) {
+    // What is behind looks like the surface: both are lit by ambient light alone, and of one color.
+    const auto scene = [](std::string_view behind) {
+        return "render { size = 320 x 240 }  camera { position = (0, 2, 8)  look_at = (0, 0.5, 0)  fov_x = "
+               "50 }\n"
+               "light { type = ambient }\nbackground = (0.2, 0.4, 0.6)\n" +
+               fmt::format(
+                   "disc {{ center = (0, 1.2, 1.9)  normal = (0, 0, 1)  radius = 1  color = {}  ambient = 1 "
+                   "}}\n",
+                   behind) +
+               "texture checks { texels = (\"ffffff00 ffffffff\", \"ffffffff ffffff00\")  alpha = mask }\n"
+               "material painted { color = (0.8, 0.8, 0.8)  ambient = 1  texture = checks }\n" +
+               square("(0, 0), (10000, 0), (10000, 10000), (0, 10000)");
+    };
+    EXPECT_EQ(ids_of(scene("(0.8, 0.8, 0.8)")), "");
+    EXPECT_EQ(ids_of(scene("(0.3, 0.1, 0.1)")), "texture-too-fine@5");
+}
+
 }  // namespace
 }  // namespace glint::test
