@@ -28,20 +28,24 @@ bool reaches_picture(const double (&row)[3], const Interval& x, const Interval& 
     return !(mapped.least > 1) && !(mapped.most < 0);
 }
 
-bool has_coordinates(const MeshData& mesh) {
-    for (std::size_t i = 0; i < mesh.triangles.size() && !mesh.texture_coordinates.empty(); ++i)
-        if (mesh.corner_values(mesh.texture_coordinates, i)) return true;
-    return false;
+// The triangles that have no texture coordinates.
+std::size_t count_without(const MeshData& mesh) {
+    if (mesh.texture_coordinates.empty()) return mesh.triangles.size();
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        count += mesh.corner_values(mesh.texture_coordinates, i) ? 0 : 1;
+    return count;
 }
 
 // Materials whose texture needs coordinates that their shapes have not.
 void check_coordinates(CheckContext& context) {
     const Scene& scene = context.scene();
-    std::vector<bool> has(scene.meshes.size());
-    for (std::size_t i = 0; i < scene.meshes.size(); ++i) has[i] = has_coordinates(*scene.meshes[i]);
+    std::vector<std::size_t> missing(scene.meshes.size());
+    for (std::size_t i = 0; i < missing.size(); ++i) missing[i] = count_without(*scene.meshes[i]);
     struct Use {
         std::size_t shapes = 0;
-        std::vector<std::uint32_t> without;
+        std::vector<std::uint32_t> without, partly;
+        std::size_t triangles = 0, of = 0;  // of `partly`: those without, and all
     };
     std::vector<Use> uses(scene.materials.size());
     for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
@@ -51,22 +55,41 @@ void check_coordinates(CheckContext& context) {
         if (texture == k_none || scene.textures[texture].mapping != TextureMapping::uv) continue;
         Use& use = uses[shape.material];
         ++use.shapes;
-        if (shape.kind != ShapeKind::mesh || !has[scene.get<Mesh>()[shape.index].mesh])
+        const bool is_mesh = shape.kind == ShapeKind::mesh;
+        const std::uint32_t mesh = is_mesh ? scene.get<Mesh>()[shape.index].mesh : 0;
+        const std::size_t count = is_mesh ? scene.meshes[mesh]->triangles.size() : 0;
+        if (!is_mesh || missing[mesh] == count) {
             use.without.push_back(i);
+        } else if (missing[mesh] > 0) {
+            use.partly.push_back(i);
+            use.triangles += missing[mesh];
+            use.of += count;
+        }
     }
     for (std::uint32_t i = 0; i < uses.size(); ++i) {
         const Use& use = uses[i];
         const std::size_t count = use.without.size();
-        if (count == 0) continue;
-        const std::string which =
-            use.shapes == 1 ? "the only shape that has it, " + context.some_shapes(use.without) + ", has none"
-                            : fmt::format("{} of the {} shapes that have it {} none: {}", count, use.shapes,
-                                          count == 1 ? "has" : "have", context.some_shapes(use.without));
-        context.report("texture-without-coordinates", context.at_material(i),
-                       fmt::format("{} has {}, which is placed by the texture coordinates of meshes, and {}",
-                                   context.material(i), context.texture(scene.materials[i].texture), which),
-                       "give the texture another mapping (planar, spherical, cylindrical), or its shapes "
-                       "texture coordinates: only meshes can have them");
+        const auto report = [&](const std::string& which, std::string remedy) {
+            context.report(
+                "texture-without-coordinates", context.at_material(i),
+                fmt::format("{} has {}, which is placed by the texture coordinates of meshes, and {}",
+                            context.material(i), context.texture(scene.materials[i].texture), which),
+                std::move(remedy));
+        };
+        if (count > 0) {
+            report(use.shapes == 1
+                       ? "the only shape that has it, " + context.some_shapes(use.without) + ", has none"
+                       : fmt::format("{} of the {} shapes that have it {} none: {}", count, use.shapes,
+                                     count == 1 ? "has" : "have", context.some_shapes(use.without)),
+                   "give the texture another mapping (planar, spherical, cylindrical), or its shapes "
+                   "texture coordinates: only meshes can have them");
+        }
+        if (!use.partly.empty()) {
+            report(fmt::format("{} of the {} triangles of {} {} none", use.triangles, use.of,
+                               context.some_shapes(use.partly), use.triangles == 1 ? "has" : "have"),
+                   "give all their vertices texture coordinates, or the triangles that shall have no texture "
+                   "another material");
+        }
     }
 }
 

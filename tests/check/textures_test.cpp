@@ -57,6 +57,20 @@ TEST(CheckTextures, ShapesWithoutCoordinates) {
         << two;
 }
 
+TEST(CheckTextures, TrianglesWithoutCoordinates) {
+    const std::string all = k_clean + texture("") + k_painted + square(k_whole) + square(k_whole);
+    Scene scene = load_text(all, "scene.glint").value();
+    EXPECT_EQ(ids(check_loaded(scene)).find("texture-without"), std::string::npos);
+    MeshData mesh = *scene.meshes.at(0);
+    mesh.texture_coordinates.corners = {mesh.triangles.at(0), {k_none, k_none, k_none}};
+    scene.meshes[0] = std::make_shared<const MeshData>(mesh);
+    std::string found;
+    for (const Finding& f : check_loaded(scene))
+        if (f.id == "texture-without-coordinates") found += to_string(f);
+    EXPECT_TRUE(has(found, "and 1 of the 2 triangles of mesh 4 (line 9) has none")) << found;
+    EXPECT_TRUE(has(found, "another material")) << found;
+}
+
 TEST(CheckTextures, OutOfReach) {
     const auto planar = [](std::string_view keys) {
         return ids_of(k_clean + texture("mapping = planar  " + std::string(keys)) + k_ball);
