@@ -248,7 +248,7 @@ class Coincidences {
     // b: a surface that the ray of `a` hits at `point`.
     void consider(const SurfaceHit& a, SurfaceId b, Vec3 point) {
         const std::uint32_t shape = world_.geometry->shape_of(b);
-        if (a.shape == shape || is_hole(world_, b, point)) return;
+        if (a.shape == shape) return;
         const double along = dot(a.normal, facing_normal(world_, b, point, a.incoming));
         if (number::abs(along) < 1 - k_parallel) return;
         const auto first = surface_values(world_, a.surface), second = surface_values(world_, b);

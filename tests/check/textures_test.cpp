@@ -177,14 +177,27 @@ TEST(CheckTextures, ShapesBehindHolesAndWithHolesAreNotHidden) {
 }
 
 TEST(CheckTextures, HolesShowTheBackground) {
-    // Most of the square is a hole; the rest is not taken for the background.
+    // All texels of the square but one are holes; it is not taken for the background.
     const std::string sky = "background = (0.4, 0.6, 0.9)\n" + k_clean.substr(0, k_clean.find("plane"));
-    const std::string sheet =
-        "texture checks { texels = (\"20202000 20202000 20202000 20202000 20202000 20202000 20202000 "
-        "e0e0e0ff\")  "
-        "filter = nearest  alpha = mask }\n" +
-        k_painted + square(k_whole);
-    EXPECT_EQ(ids_of(sky + sheet), "");
+    const std::string holes = R"("20202000 20202000 20202000 20202000 20202000 20202000 20202000 20202000")";
+    std::string texels = R"("20202000 20202000 20202000 e0e0e0ff 20202000 20202000 20202000 20202000")";
+    for (int i = 0; i < 7; ++i) texels += ", " + holes;
+    const std::string sheet = k_painted + square(k_whole);
+    EXPECT_EQ(ids_of(sky + "texture checks { texels = (" + texels + ")  filter = nearest  alpha = mask }\n" +
+                     sheet),
+              "");
+    EXPECT_EQ(ids_of(sky + "texture checks { texels = (" + texels + ")  filter = nearest }\n" + sheet), "");
+}
+
+TEST(CheckTextures, ANarrowViewThroughAHole) {
+    std::string text = k_clean;
+    text.replace(text.find("(0, 0.5, 0)"), 11, "(0, 1.2, 2)");
+    text.replace(text.find("fov_x = 50"), 10, "fov_x = 1.5");
+    for (const std::string_view at : {"-0.04, 0.93", "0.04, 0.93", "0, 0.9"})
+        text += fmt::format("sphere {{ center = ({}, 0)  radius = 0.015 }}\n", at);
+    for (const std::string& scene : {text, text + masked(k_in_hole)})
+        EXPECT_FALSE(has(ids_of(scene), "camera-angle-in-radians")) << ids_of(scene);
+    EXPECT_TRUE(has(ids_of(text + masked(k_in_hole, "alpha = ignore")), "camera-angle-in-radians"));
 }
 
 TEST(CheckTextures, TooFine) {
