@@ -126,6 +126,16 @@ struct ExplainedTexture {
     double alpha = 1;
 };
 
+/// A hole of a texture (TextureAlpha::mask) that a ray passes.
+struct ExplainedHole {
+    std::uint32_t shape = k_none;  ///< in Scene::shapes
+    double t = 0;                  ///< of the ray
+    double cutoff = 0;             ///< Texture::alpha_cutoff: the texture's alpha is below it
+    ExplainedTexture texture;
+};
+/// The holes of a ray that are listed.
+inline constexpr std::size_t k_max_explained_holes = 16;
+
 struct ExplainedHit {
     std::uint32_t shape = k_none;     ///< in Scene::shapes
     std::uint32_t material = k_none;  ///< in Scene::materials; k_none: the default material
@@ -180,6 +190,8 @@ struct ExplainedRay {
     double t_min = 0;
     double t = 0;  ///< of the hit, or infinity
     Color weight;
+    int hole_count = 0;                ///< the holes that it passes on its way to the hit
+    std::vector<ExplainedHole> holes;  ///< the first of them, at most k_max_explained_holes
     std::optional<ExplainedHit> hit;
     Color background;  ///< the light that the ray adds to the pixel if it hits nothing
     /// It hits nothing and shows the background directly or through glass: the mean of its weight times

@@ -42,6 +42,8 @@ Image background_of(CheckContext& context) {
 bool may_look_so(const CheckContext& context, std::uint32_t shape, bool lit) {
     const Material m = context.material_of(shape);
     if (m.is_transparent() || m.transmission > 0 || m.mirror > 0) return true;
+    if (m.texture < context.scene().textures.size() && context.scene().textures[m.texture].has_alpha())
+        return true;
     if (lit || context.scene().settings.shading == Shading::color) return false;
     const bool glows =
         brightest(m.ambient * context.world().ambient) > k_same_color || brightest(m.emission) > k_same_color;
@@ -70,7 +72,7 @@ void check_background_shapes(CheckContext& context) {
     if (picture.rgb.empty() || picture.rgb.size() != background.rgb.size()) return;
     const SmallSize size{picture.width, picture.height};
     const RayList rays = camera_rays(world, size);
-    const HitList hits = nearest_hits(world, rays, context.threads());
+    const HitList hits = nearest_surfaces(world, rays, context.threads());
     const auto shape_at = [&](std::int32_t x, std::int32_t y) {
         const SurfaceId id = hits.surface[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width) +
                                           static_cast<std::size_t>(x)];

@@ -47,10 +47,11 @@ bool is_enclosure(const WorldParts& world, std::uint32_t shape) {
     return false;
 }
 
-void check_inside(CheckContext& context) {
+void check_inside(CheckContext& context, const VisibleHits& visible) {
     const Scene& scene = context.scene();
+    const std::vector<bool> hit = visible.hit_shapes(scene);
     for (const std::uint32_t shape : shapes_around(context, scene.camera.position)) {
-        if (is_enclosure(context.world(), shape)) continue;
+        if (is_enclosure(context.world(), shape) || (visible.is_passed(shape) && !hit[shape])) continue;
         context.report("camera-inside-shape", context.at_camera(),
                        fmt::format("the camera at {} is inside {}: the picture shows the inside of the shape",
                                    vector_text(scene.camera.position), context.shape_and_line(shape)),
@@ -92,7 +93,7 @@ void check_handedness(CheckContext& context) {
 
 bool check_camera(CheckContext& context, const VisibleHits& visible) {
     check_handedness(context);
-    if (context.scene().camera.projection == Projection::perspective) check_inside(context);
+    if (context.scene().camera.projection == Projection::perspective) check_inside(context, visible);
     const WorldParts& world = context.world();
     if (world.geometry->count == 0) return false;
     bool planes = false;
@@ -103,6 +104,11 @@ bool check_camera(CheckContext& context, const VisibleHits& visible) {
         }
     }
     if (world.geometry->bounded == 0 && planes) return true;
+    // It looks at shapes where they have holes: check_holes() says so.
+    for (std::uint32_t i = 0; i < context.scene().shapes.size(); ++i) {
+        const bool is_plane = context.scene().shapes[i].kind == ShapeKind::plane;
+        if (visible.is_passed(i) && (!is_plane || world.geometry->bounded == 0)) return planes;
+    }
     const FindingPlace place = context.at_camera();
     if (world.geometry->bounded == 0) {
         context.report("camera-sees-nothing", place,

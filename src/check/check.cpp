@@ -69,6 +69,7 @@ constexpr CheckKind k_kinds[] = {
     {"texture-without-coordinates", "a texture needs texture coordinates that its shapes do not have"},
     {"texture-out-of-reach", "a texture that is drawn once is on no surface"},
     {"texture-invisible", "by its alpha, no texel of a texture is visible"},
+    {"shape-only-holes", "of a shape, only places are seen where its texture has holes"},
     {"texture-too-fine", "a texture is so fine that it is noise"},
     {"fog-hides-everything", "no shape is visible through the fog"},
     {"fog-not-visible", "the fog changes no pixel"},
@@ -124,7 +125,10 @@ Result<std::vector<Finding>> run_checks(const Scene& scene, const World& world, 
     steps.run([&] { check_meshes(context); });
     steps.run([&] { check_vectors(context); });
     steps.run([&] { check_materials(context, sees); });
-    steps.run([&] { check_textures(context, *visible, sees); });
+    steps.run([&] {
+        check_textures(context, *visible, sees);
+        check_holes(context, *visible);
+    });
     run_if_seen([&] { check_picture(context, *visible); });
     if (steps.is_cancelled()) return cancelled();
     return context.take();

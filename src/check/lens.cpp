@@ -26,7 +26,7 @@ struct View {
 
 View view_of(const CheckContext& context, const WorldParts& world) {
     const RayList rays = camera_rays(world, small_size(world.settings, k_view_side));
-    const HitList hits = nearest_hits(world, rays, context.threads());
+    const HitList hits = nearest_surfaces(world, rays, context.threads());
     std::set<std::uint32_t> seen;
     std::size_t bounded = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Textures that are not visible, or so fine that they are noise.
+// Textures that are not visible.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
-#include <map>
 
 #include "check/checks.h"
 #include "math/transform.h"
@@ -13,20 +11,8 @@
 namespace glint {
 namespace {
 
-constexpr std::size_t k_textured_pixels = 4096;  // pixels in which textures are looked at
-constexpr std::size_t k_min_hits = 20;           // of them, of one texture
-constexpr double k_max_texels = 400;             // for each sample of a pixel
-constexpr double k_max_deviation = 0.08;         // of the colors of a pixel's samples
-constexpr int k_rows_in_pixel = 4;               // of places in a pixel
-
-double middle_of(std::vector<double>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 // An interval; empty as long as least > most.
-struct Range {
+struct Interval {
     double least = number::k_infinity, most = -number::k_infinity;
     void add(double x) {
         least = number::min(least, x);
@@ -34,28 +20,32 @@ struct Range {
     }
 };
 // Whether numbers of the intervals a x + b y + c reach 0 to 1.
-bool reaches_picture(const double (&row)[3], const Range& x, const Range& y) {
-    Range mapped;
+bool reaches_picture(const double (&row)[3], const Interval& x, const Interval& y) {
+    Interval mapped;
     for (const double u : {x.least, x.most})
         for (const double v : {y.least, y.most}) mapped.add(row[0] * u + row[1] * v + row[2]);
     // Not a number: unknown.
     return !(mapped.least > 1) && !(mapped.most < 0);
 }
 
-bool has_coordinates(const MeshData& mesh) {
-    for (std::size_t i = 0; i < mesh.triangles.size() && !mesh.texture_coordinates.empty(); ++i)
-        if (mesh.corner_values(mesh.texture_coordinates, i)) return true;
-    return false;
+// The triangles that have no texture coordinates.
+std::size_t count_without(const MeshData& mesh) {
+    if (mesh.texture_coordinates.empty()) return mesh.triangles.size();
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+        count += mesh.corner_values(mesh.texture_coordinates, i) ? 0 : 1;
+    return count;
 }
 
 // Materials whose texture needs coordinates that their shapes have not.
 void check_coordinates(CheckContext& context) {
     const Scene& scene = context.scene();
-    std::vector<bool> has(scene.meshes.size());
-    for (std::size_t i = 0; i < scene.meshes.size(); ++i) has[i] = has_coordinates(*scene.meshes[i]);
+    std::vector<std::size_t> missing(scene.meshes.size());
+    for (std::size_t i = 0; i < missing.size(); ++i) missing[i] = count_without(*scene.meshes[i]);
     struct Use {
         std::size_t shapes = 0;
-        std::vector<std::uint32_t> without;
+        std::vector<std::uint32_t> without, partly;
+        std::size_t triangles = 0, of = 0;  // of `partly`: those without, and all
     };
     std::vector<Use> uses(scene.materials.size());
     for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
@@ -65,22 +55,41 @@ void check_coordinates(CheckContext& context) {
         if (texture == k_none || scene.textures[texture].mapping != TextureMapping::uv) continue;
         Use& use = uses[shape.material];
         ++use.shapes;
-        if (shape.kind != ShapeKind::mesh || !has[scene.get<Mesh>()[shape.index].mesh])
+        const bool is_mesh = shape.kind == ShapeKind::mesh;
+        const std::uint32_t mesh = is_mesh ? scene.get<Mesh>()[shape.index].mesh : 0;
+        const std::size_t count = is_mesh ? scene.meshes[mesh]->triangles.size() : 0;
+        if (!is_mesh || missing[mesh] == count) {
             use.without.push_back(i);
+        } else if (missing[mesh] > 0) {
+            use.partly.push_back(i);
+            use.triangles += missing[mesh];
+            use.of += count;
+        }
     }
     for (std::uint32_t i = 0; i < uses.size(); ++i) {
         const Use& use = uses[i];
         const std::size_t count = use.without.size();
-        if (count == 0) continue;
-        const std::string which =
-            use.shapes == 1 ? "the only shape that has it, " + context.some_shapes(use.without) + ", has none"
-                            : fmt::format("{} of the {} shapes that have it {} none: {}", count, use.shapes,
-                                          count == 1 ? "has" : "have", context.some_shapes(use.without));
-        context.report("texture-without-coordinates", context.at_material(i),
-                       fmt::format("{} has {}, which is placed by the texture coordinates of meshes, and {}",
-                                   context.material(i), context.texture(scene.materials[i].texture), which),
-                       "give the texture another mapping (planar, spherical, cylindrical), or its shapes "
-                       "texture coordinates: only meshes can have them");
+        const auto report = [&](const std::string& which, std::string remedy) {
+            context.report(
+                "texture-without-coordinates", context.at_material(i),
+                fmt::format("{} has {}, which is placed by the texture coordinates of meshes, and {}",
+                            context.material(i), context.texture(scene.materials[i].texture), which),
+                std::move(remedy));
+        };
+        if (count > 0) {
+            report(use.shapes == 1
+                       ? "the only shape that has it, " + context.some_shapes(use.without) + ", has none"
+                       : fmt::format("{} of the {} shapes that have it {} none: {}", count, use.shapes,
+                                     count == 1 ? "has" : "have", context.some_shapes(use.without)),
+                   "give the texture another mapping (planar, spherical, cylindrical), or its shapes "
+                   "texture coordinates: only meshes can have them");
+        }
+        if (!use.partly.empty()) {
+            report(fmt::format("{} of the {} triangles of {} {} none", use.triangles, use.of,
+                               context.some_shapes(use.partly), use.triangles == 1 ? "has" : "have"),
+                   "give all their vertices texture coordinates, or the triangles that shall have no texture "
+                   "another material");
+        }
     }
 }
 
@@ -110,9 +119,9 @@ bool is_everywhere(const PackedGeometry& geometry, const PreparedTexture& textur
 }
 
 // u and v of a surface that is not everywhere, before Texture::uv_map; nothing if it has none.
-std::optional<std::array<Range, 2>> uv_ranges(const Scene& scene, const PackedGeometry& geometry,
-                                              const PreparedTexture& texture, std::uint32_t slot) {
-    std::array<Range, 2> uv;
+std::optional<std::array<Interval, 2>> uv_ranges(const Scene& scene, const PackedGeometry& geometry,
+                                                 const PreparedTexture& texture, std::uint32_t slot) {
+    std::array<Interval, 2> uv;
     if (texture.mapping == TextureMapping::uv) {
         const Shape& shape = scene.shapes[geometry.shape_index[slot]];
         if (shape.kind != ShapeKind::mesh) return {};
@@ -126,7 +135,7 @@ std::optional<std::array<Range, 2>> uv_ranges(const Scene& scene, const PackedGe
         return uv;
     }
     if (texture.mapping != TextureMapping::planar) {
-        uv = {Range{0, 1}, Range{0, 1}};
+        uv = {Interval{0, 1}, Interval{0, 1}};
         if (texture.mapping == TextureMapping::spherical) return uv;
         uv[1] = {};
     }
@@ -167,110 +176,6 @@ OnceTextures find_once(const CheckContext& context) {
     return found;
 }
 
-// By pixel that shows a texture: the texels of a sample, and how much they differ.
-struct Fineness {
-    std::vector<double> texels, deviation;
-};
-
-// A hit, and those of the rays that are one pixel of the picture to the right of its ray, and below it.
-struct PixelHits {
-    const SurfaceHit* here;
-    std::array<const SurfaceHit*, 2> beside{};
-};
-
-// The largest standard deviation of a channel.
-double color_deviation(const std::vector<Color>& colors) {
-    double most = 0;
-    for (double Color::*channel : {&Color::r, &Color::g, &Color::b}) {
-        double sum = 0, squares = 0;
-        for (const Color& color : colors) sum += color.*channel;
-        const double mean = sum / static_cast<double>(colors.size());
-        for (const Color& color : colors) squares += (color.*channel - mean) * (color.*channel - mean);
-        most = number::max(most, number::sqrt(squares / static_cast<double>(colors.size())));
-    }
-    return most;
-}
-
-void add_fineness(const WorldParts& world, const PixelHits& hits, Fineness& to) {
-    const PreparedTexture& texture = *world.texture_of(hits.here->material);
-    const auto place_of = [&](const SurfaceHit& hit) {
-        return texture_place(*world.geometry, texture, hit.surface, hit.point);
-    };
-    const auto at = place_of(*hits.here), right = place_of(*hits.beside[0]),
-               below = place_of(*hits.beside[1]);
-    if (!at || !right || !below || !sample_texture(texture, *at)) return;
-    const TexturePlace x{right->u - at->u, right->v - at->v}, y{below->u - at->u, below->v - at->v};
-    const double samples = world.settings.samples;
-    to.texels.push_back(number::abs(x.u * y.v - x.v * y.u) * texture.image->width * texture.image->height /
-                        (samples * samples));
-    std::vector<Color> colors;
-    for (int i = 0; i < k_rows_in_pixel * k_rows_in_pixel; ++i) {
-        const double a = (i % k_rows_in_pixel + 0.5) / k_rows_in_pixel - 0.5,
-                     b = (i / k_rows_in_pixel + 0.5) / k_rows_in_pixel - 0.5;
-        const auto sample = sample_texture(texture, {at->u + a * x.u + b * y.u, at->v + a * x.v + b * y.v});
-        if (sample) colors.push_back(sample->color);
-    }
-    const double* const values = world.material(hits.here->material);
-    double factor = 1;
-    if (texture.mix != TextureMix::replace) {
-        factor = 0;
-        for (int c = 0; c < 3; ++c)
-            factor = number::max(factor, values[k_ambient + c] + values[k_diffuse + c]);
-    }
-    to.deviation.push_back(colors.empty() ? 0 : number::min(factor, 1.0) * color_deviation(colors) / samples);
-}
-
-void check_fineness(CheckContext& context, const VisibleHits& visible) {
-    const WorldParts& world = context.world();
-    if (world.settings.shading == Shading::normals) return;
-    std::vector<PixelHits> hits;
-    for (const SurfaceHit& hit : visible.seen())
-        if (world.texture_of(hit.material) != nullptr) hits.push_back({&hit});
-    const std::size_t step = hits.size() / k_textured_pixels + 1;
-    PixelPositions beside[2];
-    std::size_t kept = 0;
-    const double pixel = static_cast<double>(visible.size.width) / world.settings.width;
-    for (std::size_t i = 0; i < hits.size(); i += step) {
-        hits[kept++] = hits[i];
-        const auto width = static_cast<std::size_t>(visible.size.width);
-        const auto x = static_cast<double>(hits[i].here->ray % width),
-                   y = static_cast<double>(hits[i].here->ray / width);
-        beside[0].add(x + pixel, y);
-        beside[1].add(x, y + pixel);
-    }
-    if (kept < k_min_hits) return;
-    hits.resize(kept);
-    WorldParts of_size = world;
-    set_size(of_size, visible.size);
-    SurfaceRecord found[2];
-    for (std::size_t way = 0; way < 2; ++way) {
-        found[way] = follow_pixels(of_size, beside[way], 1, context.threads());
-        for (const SurfaceHit& hit : found[way][0])
-            if (hit.shape == hits[hit.ray].here->shape) hits[hit.ray].beside[way] = &hit;
-    }
-    std::map<std::size_t, Fineness> textures;
-    for (const PixelHits& pixel_hits : hits) {
-        if (pixel_hits.beside[0] == nullptr || pixel_hits.beside[1] == nullptr) continue;
-        const auto index = world.texture_of(pixel_hits.here->material) - world.textures->data();
-        add_fineness(world, pixel_hits, textures[static_cast<std::size_t>(index)]);
-    }
-    for (auto& [index, fineness] : textures) {
-        if (fineness.texels.size() < k_min_hits) continue;
-        const double texels = middle_of(fineness.texels), deviation = middle_of(fineness.deviation);
-        if (!(texels > k_max_texels) || !(deviation > k_max_deviation)) continue;
-        const auto number = static_cast<std::uint32_t>(index);
-        const double samples = world.settings.samples;
-        context.report(
-            "texture-too-fine", context.at_texture(number),
-            fmt::format("{} is so fine that it is noise in this picture: a pixel is about {:.2g} texels, "
-                        "which differ by {:.0f} of 255 from their mean, and shows {}",
-                        context.texture(number), texels * samples * samples, 255 * deviation * samples,
-                        samples > 1 ? fmt::format("{:.0f} of them", samples * samples) : "one of them"),
-            "enlarge it: smaller numbers in `uv_map` or of the texture coordinates, or a larger `scale`; or "
-            "give it a picture of fewer texels");
-    }
-}
-
 }  // namespace
 
 void check_textures(CheckContext& context, const VisibleHits& visible, bool sees) {
@@ -302,7 +207,7 @@ void check_textures(CheckContext& context, const VisibleHits& visible, bool sees
                            "repeat");
         }
     }
-    if (sees) check_fineness(context, visible);
+    if (sees) check_texture_fineness(context, visible);
 }
 
 }  // namespace glint

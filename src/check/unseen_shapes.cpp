@@ -199,7 +199,7 @@ Reason reason_of(const CheckContext& context, std::uint32_t shape) {
             depths.push_back(depth);
         }
     }
-    const HitList hits = nearest_hits(world, rays, context.threads());
+    const HitList hits = nearest_surfaces(world, rays, context.threads());
     for (std::size_t i = 0; i < rays.size(); ++i) {
         if (!hits.surface[i].exists() || world.geometry->shape_of(hits.surface[i]) == shape) continue;
         const Vec3 point = rays.origin(i) + rays.direction(i) * hits.t[i];
@@ -245,9 +245,9 @@ std::string enclosure(const CheckContext& context, const WorldParts& world,
 
 void check_shapes(CheckContext& context, const VisibleHits& visible, const std::vector<bool>& explained) {
     const WorldParts& world = context.world();
-    std::vector<bool> seen = explained;
-    for (const std::vector<SurfaceHit>& hits : visible.generations)
-        for (const SurfaceHit& h : hits) seen[h.shape] = true;
+    std::vector<bool> seen = visible.hit_shapes(context.scene());
+    // check_holes() tells of those of which only holes are seen.
+    for (std::uint32_t i = 0; i < seen.size(); ++i) seen[i] = seen[i] || explained[i] || visible.is_passed(i);
     mark_shadows(context, visible, seen);
     mark_bodies_of_lights(context.scene(), seen);
     Unseen unseen = find_unseen(world, seen);

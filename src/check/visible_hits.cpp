@@ -7,6 +7,7 @@
 #include "math/elementary.h"
 #include "math/transform.h"
 #include "trace/lighting/shadow_rays-inl.h"
+#include "world/geometry/primitives.h"
 
 namespace glint {
 namespace {
@@ -46,6 +47,29 @@ bool has_secondary_rays(const WorldParts& world, const SurfaceHit& h) {
            world.is_transparent(h.material);
 }
 
+// The parts of the secondary rays in front of their hits; at most k_max_followed of a generation.
+void add_ways(const std::vector<SurfaceHit>& hits, RayList& rays) {
+    const std::size_t step = hits.size() / k_max_followed + 1;
+    for (std::size_t i = 0; i < hits.size(); i += step) {
+        const SurfaceHit& h = hits[i];
+        if (h.t > 0) rays.add(h.origin, (h.point - h.origin) / h.t, 0, h.t);
+    }
+}
+
+// VisibleHits::passed
+std::vector<std::size_t> count_passed(const WorldParts& world, SmallSize size, const SurfaceRecord& found,
+                                      int threads) {
+    if (!has_holes(world)) return {};
+    std::vector<std::size_t> passed(world.geometry->scene_shapes);
+    RayList rays = camera_rays(world, size);
+    for (std::size_t generation = 1; generation < found.size(); ++generation)
+        add_ways(found[generation], rays);
+    nearest_surfaces(world, rays, threads, [&](std::size_t, SurfaceId surface, double) {
+        ++passed[world.geometry->shape_of(surface)];
+    });
+    return passed;
+}
+
 }  // namespace
 
 RayList camera_rays(const WorldParts& world, SmallSize size) {
@@ -75,7 +99,15 @@ SurfaceRecord follow_picture(const WorldParts& world, SmallSize size, double x, 
 
 VisibleHits::VisibleHits(const CheckContext& context)
     : size(context.grid(k_longest)),
-      generations(follow_picture(context.world(), size, 0, 0, context.threads())) {}
+      generations(follow_picture(context.world(), size, 0, 0, context.threads())),
+      passed(count_passed(context.world(), size, generations, context.threads())) {}
+
+std::vector<bool> VisibleHits::hit_shapes(const Scene& scene) const {
+    std::vector<bool> hit(scene.shapes.size());
+    for (const std::vector<SurfaceHit>& hits : generations)
+        for (const SurfaceHit& h : hits) hit[h.shape] = true;
+    return hit;
+}
 
 ShadowRays shadow_rays(const WorldParts& world, const VisibleHits& visible, const Light& light,
                        std::size_t most) {

@@ -31,7 +31,12 @@ class VisibleHits {
 
     SmallSize size;             // of the grid of camera rays
     SurfaceRecord generations;  // [0]: directly visible
+    // By shape: how often rays pass it by holes of its texture. Empty: no shape has holes.
+    std::vector<std::size_t> passed;
     const std::vector<SurfaceHit>& seen() const { return generations[0]; }
+    bool is_passed(std::uint32_t shape) const { return !passed.empty() && passed[shape] > 0; }
+    /// By shape: whether a ray hits it.
+    std::vector<bool> hit_shapes(const Scene& scene) const;
     std::size_t rays() const {
         return static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
     }

@@ -11,6 +11,7 @@
 #include "cli/explain_numbers.h"
 #include "cli/explain_rays.h"
 #include "cli/explain_sum.h"
+#include "cli/explain_textures.h"
 #include "explain/terms.h"
 #include "scene/material_fields.h"
 
@@ -42,28 +43,6 @@ std::string extended_text(const Material& m) {
         });
     }
     return text;
-}
-
-// "texture 'wood' (a.glint:3:1) at u 0.25, v 0.5: columns 3 and 4 (0.25), ..."
-std::string texture_text(const Scene& scene, const ExplainedTexture& t) {
-    const Texture& texture = scene.textures[t.texture];
-    std::string text =
-        fmt::format("{} at u {}, v {}: ", item_text(scene, scene.texture_texts, t.texture, "texture"),
-                    number(t.u), number(t.v));
-    if (t.column < 0) {
-        text += "beside the picture";
-    } else if (texture.filter == TextureFilter::nearest) {
-        text += fmt::format("texel in column {}, row {}", t.column, t.row);
-    } else {
-        text += fmt::format("texels in columns {} ({}) and {} ({}), rows {} ({}) and {} ({})", t.column,
-                            number(1 - t.next_column_weight), t.next_column, number(t.next_column_weight),
-                            t.row, number(1 - t.next_row_weight), t.next_row, number(t.next_row_weight));
-    }
-    text += fmt::format(", color {}", color(t.color));
-    if (t.alpha != 1) text += fmt::format(", alpha {}", number(t.alpha));
-    return text + (texture.mix == TextureMix::multiply  ? ", which multiplies color, k_a and k_d"
-                   : texture.mix == TextureMix::replace ? ", which replaces the color"
-                                                        : ", which multiplies color, k_a, k_d and k_e");
 }
 
 std::string material_text(const Scene& scene, const ExplainedHit& hit) {
@@ -101,6 +80,7 @@ class Tree {
             const std::string start = start_text(r, e_.rays[static_cast<std::size_t>(r.parent)], scene_);
             if (!start.empty()) text_.line(depth + 1, start);
         }
+        for (const std::string& line : hole_lines(scene_, r)) text_.line(depth + 1, line);
         if (!r.hit) {
             if (r.beyond_limit)
                 text_.line(depth + 1,
@@ -298,6 +278,10 @@ std::string shape_text(const Scene& scene, std::uint32_t shape) {
 std::string light_text(const Scene& scene, std::uint32_t light) {
     return item_text(scene, scene.light_texts, light,
                      fmt::format("{} light", to_string(scene.lights[light].kind)));
+}
+
+std::string texture_item_text(const Scene& scene, std::uint32_t texture) {
+    return item_text(scene, scene.texture_texts, texture, "texture");
 }
 
 std::string explanation_text(const Explanation& e, const Scene& scene, const ExplainStyle& style) {

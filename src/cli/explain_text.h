@@ -50,5 +50,7 @@ std::string swatch(const ExplainStyle& style, Color c);
 std::string shape_text(const Scene& scene, std::uint32_t shape);
 /// "point light 'key' (castle.json:40:3)"; a light without a name gets its number in the scene, from 1.
 std::string light_text(const Scene& scene, std::uint32_t light);
+/// "texture 'wood' (castle.glint:3:1)"
+std::string texture_item_text(const Scene& scene, std::uint32_t texture);
 
 }  // namespace glint::cli

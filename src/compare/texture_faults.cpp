@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Faults of textures: where in the picture a point is, what its texels are, and what is beside it.
 #include <cmath>
+#include <utility>
 
 #include "compare/scene_faults.h"
 #include "math/srgb.h"
@@ -30,6 +31,28 @@ template <TextureWrap wrap> bool has_other_wrap(const Scene& s) {
 template <TextureFilter filter> bool has_filter_of(const Scene& s) {
     return any_texture(s, [](const Texture& t) { return t.filter == filter; });
 }
+bool has_texel_alpha(const Scene& s) {
+    return any_texture(s, [](const Texture& t) { return t.has_alpha(); });
+}
+template <TextureAlpha alpha> bool has_alpha_of(const Scene& s) {
+    return any_texture(s, [](const Texture& t) { return t.has_alpha() && t.alpha == alpha; });
+}
+bool has_uv_map(const Scene& s) {
+    return any_texture(s, [](const Texture& t) { return !(t.uv_map == UvMap{}); });
+}
+// u and v exchanged before the map, as a map.
+UvMap exchanged_before(UvMap map) {
+    for (auto& row : map.m) std::swap(row[0], row[1]);
+    return map;
+}
+UvMap exchanged_after(UvMap map) {
+    std::swap(map.m[0], map.m[1]);
+    return map;
+}
+bool has_exchange_before(const Scene& s) {
+    return any_texture(
+        s, [](const Texture& t) { return !(exchanged_before(t.uv_map) == exchanged_after(t.uv_map)); });
+}
 bool has_few_encoded_texels(const Scene& s) {
     std::size_t texels = 0;
     for (const Texture& t : s.textures) texels += std::size_t{t.image->width} * t.image->height;
@@ -56,6 +79,12 @@ template <TextureMix mix> void set_mix(Scene& s) {
 }
 template <TextureWrap wrap> void set_wrap(Scene& s) {
     for_each_texture(s, [](Texture& t) { t.wrap_u = t.wrap_v = wrap; });
+}
+// Of those that have the other one: a texture without alpha, or whose alpha is ignored, stays as it is.
+template <TextureAlpha from, TextureAlpha to> void change_alpha(Scene& s) {
+    for_each_texture(s, [](Texture& t) {
+        if (t.alpha == from) t.alpha = to;
+    });
 }
 template <TextureFilter filter> void set_filter(Scene& s) {
     for_each_texture(s, [](Texture& t) { t.filter = filter; });
@@ -106,6 +135,26 @@ constexpr SceneFault k_textures[] = {
      "one."},
     {"texture-mirrored", has_textures, reverse_direction<0>,
      "Left and right of textures are exchanged: u = 0 is the left edge of the picture."},
+    {"texture-swapped", has_textures,
+     [](Scene& s) { for_each_texture(s, [](Texture& t) { t.uv_map = exchanged_after(t.uv_map); }); },
+     "u and v of textures are exchanged: u goes to the right in the picture, and v up."},
+    {"texture-swapped", has_exchange_before,
+     [](Scene& s) { for_each_texture(s, [](Texture& t) { t.uv_map = exchanged_before(t.uv_map); }); },
+     "u and v of textures are exchanged before `uv_map`: u goes to the right in the picture, and v up."},
+    {"texture-map-missing", has_uv_map,
+     [](Scene& s) { for_each_texture(s, [](Texture& t) { t.uv_map = {}; }); },
+     "u and v of textures are not mapped by `uv_map`."},
+    {"texture-alpha-ignored", has_texel_alpha,
+     [](Scene& s) { for_each_texture(s, [](Texture& t) { t.alpha = TextureAlpha::ignore; }); },
+     "The alpha of textures is ignored: surfaces are transparent, or have holes, where it is low."},
+    {"texture-alpha-mode", has_alpha_of<TextureAlpha::mask>,
+     change_alpha<TextureAlpha::mask, TextureAlpha::blend>,
+     "Surfaces are as transparent as the alpha of their texture says, and in the reference they have holes "
+     "where it is below a cutoff, and are opaque elsewhere."},
+    {"texture-alpha-mode", has_alpha_of<TextureAlpha::blend>,
+     change_alpha<TextureAlpha::blend, TextureAlpha::mask>,
+     "Surfaces have holes where the alpha of their texture is low, and in the reference they are as "
+     "transparent as it says."},
     {"texture-replaces", has_mix_of<TextureMix::multiply>, set_mix<TextureMix::replace>,
      "A texture's color replaces that of the material, and in the reference it multiplies it."},
     {"texture-multiplies", has_mix_of<TextureMix::replace>, set_mix<TextureMix::multiply>,

@@ -7,6 +7,7 @@
 
 #include "base/fp_environment.h"
 #include "base/status.h"
+#include "explain/holes.h"
 #include "explain/references.h"
 #include "lighting/light.h"
 #include "math/transform.h"
@@ -137,6 +138,7 @@ Result<Explanation> explain(const Scene& scene, const World& explained, std::int
         Status status = render_pixel(world, *kernels, options.sample, e);
         if (!status.ok()) return status;
         complete(scene, world, e);
+        find_holes(world, e);
         return e;
     });
 }

@@ -168,6 +168,13 @@ Json texture_json(const Scene& scene, const ExplainedTexture& texture) {
     return json;
 }
 
+Json hole_json(const Scene& scene, const ExplainedHole& hole) {
+    Json json = {{"shape", shape_json(scene, hole.shape)}};
+    add_terms(json, k_hole_terms, hole, {scene});
+    json["texture"] = texture_json(scene, hole.texture);
+    return json;
+}
+
 Json hit_json(const Scene& scene, const ExplainedHit& hit) {
     Json lights = Json::array();
     for (const LightTerms& terms : hit.lights) lights.push_back(terms_json(scene, hit, terms));
@@ -198,6 +205,7 @@ Json ray_json(const Explanation& e, const Scene& scene, std::size_t number) {
     json["layer"] = layer ? Json(layer_infos()[static_cast<std::size_t>(*layer)].name) : Json();
     add_terms(json, k_ray_terms, ray, {scene});
     if (scene.fog) json["fog"] = {{"visibility", ray.visibility}, {"added", to_json(ray.fog)}};
+    for (const ExplainedHole& hole : ray.holes) json["holes"].push_back(hole_json(scene, hole));
     if (ray.hit) json["hit"] = hit_json(scene, *ray.hit);
     return json;
 }

@@ -10,6 +10,16 @@ namespace {
 
 constexpr std::string_view k_edited = "the scene is not the one that the world was prepared from";
 
+std::string hole_fault(const ExplainedRay& ray, const Scene& scene) {
+    for (const ExplainedHole& hole : ray.holes) {
+        if (hole.shape >= scene.shapes.size())
+            return fmt::format("shape {} of {}", hole.shape, scene.shapes.size());
+        if (hole.texture.texture >= scene.textures.size())
+            return fmt::format("texture {} of {}", hole.texture.texture, scene.textures.size());
+    }
+    return {};
+}
+
 std::string hit_fault(const ExplainedHit& hit, const Scene& scene) {
     const auto beyond = [](std::string_view what, std::uint32_t index, std::size_t count) {
         return fmt::format("{} {} of {}", what, index, count);
@@ -17,6 +27,8 @@ std::string hit_fault(const ExplainedHit& hit, const Scene& scene) {
     if (hit.shape >= scene.shapes.size()) return beyond("shape", hit.shape, scene.shapes.size());
     if (hit.material != k_none && hit.material >= scene.materials.size())
         return beyond("material", hit.material, scene.materials.size());
+    if (hit.texture && hit.texture->texture >= scene.textures.size())
+        return beyond("texture", hit.texture->texture, scene.textures.size());
     for (const LightTerms& terms : hit.lights) {
         if (terms.light >= scene.lights.size()) return beyond("light", terms.light, scene.lights.size());
         if (terms.blocker && terms.blocker->shape >= scene.shapes.size())
@@ -64,8 +76,8 @@ std::string explanation_fault(const Explanation& explanation, const Scene& scene
             return fmt::format("ray {} is of sample {}, which the pixel has not", i, ray.sample);
         if (ray.parent >= 0 && static_cast<std::size_t>(ray.parent) >= i)
             return fmt::format("ray {} comes from ray {}, which is not before it", i, ray.parent);
-        if (!ray.hit) continue;
-        const std::string missing = hit_fault(*ray.hit, scene);
+        std::string missing = hole_fault(ray, scene);
+        if (missing.empty() && ray.hit) missing = hit_fault(*ray.hit, scene);
         if (!missing.empty())
             return fmt::format("the explanation is not of this scene: ray {} names {}", i, missing);
     }

@@ -55,6 +55,7 @@ inline bool has_outline(const ExplainedHit& hit, const TermContext&) { return hi
 template <bool ExplainedRay::*Flag> bool is_set(const ExplainedRay& ray, const TermContext&) {
     return ray.*Flag;
 }
+inline bool passes_holes(const ExplainedRay& ray, const TermContext&) { return ray.hole_count > 0; }
 inline bool hits_nothing(const ExplainedRay& ray, const TermContext&) { return !ray.hit; }
 }  // namespace terms
 
@@ -127,6 +128,11 @@ inline constexpr ExplainedTerm<ExplainedTexture> k_texture_terms[] = {
     {"alpha", &ExplainedTexture::alpha, "the texels' alpha, mixed; 1 without one"},
 };
 
+inline constexpr ExplainedTerm<ExplainedHole> k_hole_terms[] = {
+    {"t", &ExplainedHole::t, "of the ray"},
+    {"cutoff", &ExplainedHole::cutoff, "`alpha_cutoff` of the texture: its alpha is below it"},
+};
+
 inline constexpr ExplainedTerm<ExplainedHit> k_hit_terms[] = {
     {"point", &ExplainedHit::point, "P"},
     {"normal", &ExplainedHit::normal, "N as used for the lighting, a unit vector"},
@@ -175,6 +181,8 @@ inline constexpr ExplainedTerm<ExplainedRay> k_ray_terms[] = {
     {"inside_object", &ExplainedRay::inside_object,
      "true: there is no fog, because the ray is inside an object (fog_extent = outside_objects)",
      terms::is_set<&ExplainedRay::inside_object>},
+    {"hole_count", &ExplainedRay::hole_count,
+     "how many holes of textures (`alpha = mask`) it passes; `holes` has the first 16", terms::passes_holes},
     {"background", &ExplainedRay::background, "what a ray without a hit adds", terms::hits_nothing},
     {"transparent", &ExplainedRay::transparent,
      "the ray shows the background directly or through glass: the mean of its weight, times 1 - "

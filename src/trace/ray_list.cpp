@@ -2,6 +2,7 @@
 #include "trace/ray_list.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/parallel_for.h"
 #include "trace/kernels.h"
@@ -44,27 +45,53 @@ HitList nearest_hits(const WorldParts& world, const RayList& rays, int threads) 
     return hits;
 }
 
-HitList nearest_occluders(const WorldParts& world, const RayList& rays, int threads) {
+namespace {
+
+// The nearest hits behind those of which passes(ray, surface, t) is true.
+template <class Passes>
+HitList hits_behind(const WorldParts& world, const RayList& rays, int threads, const Passes& passes) {
     HitList hits = nearest_hits(world, rays, threads);
-    const auto passes = [&](std::size_t i) {
-        const SurfaceId id = hits.surface[i];
-        return id.exists() && !blocks_light(world, id, rays.origin(i) + rays.direction(i) * hits.t[i]);
-    };
+    std::vector<std::size_t> numbers(rays.size());
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
     for (;;) {
         RayList on;
-        std::vector<std::size_t> numbers;
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            if (!passes(i)) continue;
+        std::vector<std::size_t> left;
+        for (const std::size_t i : numbers) {
+            if (!hits.surface[i].exists() || !passes(i, hits.surface[i], hits.t[i])) continue;
             on.add(rays.origin(i), rays.direction(i), hits.t[i], rays.t_max(i));
-            numbers.push_back(i);
+            left.push_back(i);
         }
-        if (numbers.empty()) return hits;
+        if (left.empty()) return hits;
+        numbers = std::move(left);
         const HitList next = nearest_hits(world, on, threads);
         for (std::size_t k = 0; k < numbers.size(); ++k) {
             hits.t[numbers[k]] = next.t[k];
             hits.surface[numbers[k]] = next.surface[k];
         }
     }
+}
+
+}  // namespace
+
+HitList nearest_occluders(const WorldParts& world, const RayList& rays, int threads) {
+    return hits_behind(world, rays, threads, [&](std::size_t i, SurfaceId id, double t) {
+        return !blocks_light(world, id, rays.origin(i) + rays.direction(i) * t);
+    });
+}
+
+bool has_holes(const WorldParts& world) {
+    return world.has_alpha_textures &&
+           std::any_of(world.textures->begin(), world.textures->end(),
+                       [](const Texture& t) { return t.alpha == TextureAlpha::mask && t.has_alpha(); });
+}
+
+HitList nearest_surfaces(const WorldParts& world, const RayList& rays, int threads, const VisitHole& visit) {
+    if (!has_holes(world)) return nearest_hits(world, rays, threads);
+    return hits_behind(world, rays, threads, [&](std::size_t i, SurfaceId id, double t) {
+        if (!is_hole(world, id, rays.origin(i) + rays.direction(i) * t)) return false;
+        if (visit) visit(i, id, t);
+        return true;
+    });
 }
 
 }  // namespace glint

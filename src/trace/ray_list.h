@@ -3,6 +3,7 @@
 // Lists of rays for checks and explanations, traced with the renderer's kernels.
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -39,5 +40,12 @@ struct HitList {
 HitList nearest_hits(const WorldParts& world, const RayList& rays, int threads);
 /// The nearest hit among shapes that cast shadows.
 HitList nearest_occluders(const WorldParts& world, const RayList& rays, int threads);
+
+/// Whether a surface may have holes (TextureAlpha::mask).
+bool has_holes(const WorldParts& world);
+/// The nearest hit that is not in a hole. visit: called for each hole that a ray passes, in the ray's order.
+using VisitHole = std::function<void(std::size_t ray, SurfaceId surface, double t)>;
+HitList nearest_surfaces(const WorldParts& world, const RayList& rays, int threads,
+                         const VisitHole& visit = {});
 
 }  // namespace glint

@@ -13,6 +13,7 @@
 #include "trace/lighting/area_shadow-inl.h"
 #include "trace/lighting/direct_lighting-inl.h"
 #include "trace/record.h"
+#include "trace/record_texture.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
@@ -41,21 +42,6 @@ template <class Visit> inline void for_each_hit(const SurfaceBatch& surfaces, co
     for (int h = 0; h < surfaces.count; h += lane_count<double>()) {
         visit(h, number::min(lane_count<double>(), surfaces.count - h));
     }
-}
-
-inline std::optional<ExplainedTexture> recorded_texture(const WorldParts& world, SurfaceId id, Vec3 point) {
-    ExplainedTexture explained;
-    const std::optional<TextureSample> sample = surface_texture(world, id, point);
-    if (!sample) return std::nullopt;
-    explained.texture =
-        static_cast<std::uint32_t>(world.texture_of(material_row(world, id)) - world.textures->data());
-    explained.u = sample->place.u, explained.v = sample->place.v;
-    explained.column = sample->columns[0], explained.next_column = sample->columns[1];
-    explained.row = sample->rows[0], explained.next_row = sample->rows[1];
-    explained.next_column_weight = sample->right, explained.next_row_weight = sample->lower;
-    explained.color = sample->color;
-    explained.alpha = sample->alpha;
-    return explained;
 }
 
 /// The surface of a hit.

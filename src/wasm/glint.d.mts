@@ -248,6 +248,17 @@ export interface ExplainedSecondaryRay {
     ray?: number;
 }
 
+export interface ExplainedTexture extends TextureTerms {
+    index: number;
+    name?: string;
+    mix: 'multiply' | 'replace';
+}
+
+export interface ExplainedHole extends HoleTerms {
+    shape: NamedItem & {kind: string};
+    texture: ExplainedTexture;
+}
+
 export interface ExplainedHit extends HitTerms {
     /** color: the shape's own, in place of the material's. */
     shape: NamedItem & {kind: string; color?: Vec3};
@@ -259,7 +270,7 @@ export interface ExplainedHit extends HitTerms {
     reflected: ExplainedSecondaryRay;
     transmitted: ExplainedSecondaryRay;
     /** If the material has a texture that shows something at the point. */
-    texture?: TextureTerms & {index: number; name?: string; mix: 'multiply' | 'replace'};
+    texture?: ExplainedTexture;
     /** If the scene has occlusion: the light from all directions. */
     occlusion?: OcclusionTerms & {color: Vec3; direct: number; occluders: {shape: NamedItem; samples: number; weight: number}[]};
 }
@@ -272,6 +283,8 @@ export interface ExplainedRay extends RayTerms {
     layer: string | null;
     /** If the scene has fog: the part of the light that is seen through it, and the light that it adds. */
     fog?: {visibility: number; added: Vec3};
+    /** If it passes holes of textures: the first ones on its way. */
+    holes?: ExplainedHole[];
     hit?: ExplainedHit;
 }
 
@@ -354,6 +367,8 @@ export interface RayTerms {
     beyond_limit?: boolean;
     /** true: there is no fog, because the ray is inside an object (fog_extent = outside_objects) */
     inside_object?: boolean;
+    /** how many holes of textures (`alpha = mask`) it passes; `holes` has the first 16 */
+    hole_count?: number;
     /** what a ray without a hit adds */
     background?: Vec3;
     /** the ray shows the background directly or through glass: the mean of its weight, times 1 - `background_alpha`, is subtracted from alpha */
@@ -472,6 +487,13 @@ export interface TextureTerms {
     color: Vec3;
     /** the texels' alpha, mixed; 1 without one */
     alpha: number;
+}
+
+export interface HoleTerms {
+    /** of the ray */
+    t: number;
+    /** `alpha_cutoff` of the texture: its alpha is below it */
+    cutoff: number;
 }
 
 export interface OcclusionTerms {

@@ -234,6 +234,28 @@ TEST(Explain, OpacityAtAnAngle) {
     EXPECT_TRUE(contains(text.out, line)) << line << text.out;
 }
 
+TEST(Explain, TellsOfHolesAndOfBorders) {
+    const Folder folder;
+    folder.write("leaf.glint",
+                 "render { size = 8 x 4 }\ncamera { position = (0, 0, 9)  look_at = (0, 0, 0)  fov_x = 20 }\n"
+                 "light { type = ambient }\n"
+                 "texture leaf { texels = (\"10203033 405060ff\")  filter = nearest  alpha = mask  mapping = "
+                 "planar  scale = 8  translate = (-4, -4, 0) }\n"
+                 "texture wall { texels = (\"102030 405060\")  mapping = planar  wrap_u = clamp }\n"
+                 "disc \"sheet\" { center = (0, 0, 0)  normal = (0, 0, 1)  radius = 9  texture = leaf }\n"
+                 "plane { point = (0, 0, -1)  normal = (0, 0, 1)  texture = wall }\n");
+    const std::string left = run(folder, {"explain", "leaf.glint", "-p", "1,2"}).out,
+                      right = run(folder, {"explain", "leaf.glint", "-p", "6,2"}).out;
+    EXPECT_TRUE(contains(left,
+                         "\n  passes a hole of disc 'sheet' (leaf.glint:6:1) at t = 9.05666: texture 'leaf' "
+                         "(leaf.glint:4:1) at u "))
+        << left;
+    EXPECT_TRUE(contains(left, ", alpha 0.2 is below the cutoff 0.5\n  hits plane 2 ")) << left;
+    EXPECT_TRUE(contains(left, " (clamped), v ")) << left;
+    EXPECT_FALSE(contains(right, "hole")) << right;
+    EXPECT_FALSE(contains(right, "clamped")) << right;
+}
+
 TEST(Explain, DrawsItsRaysOverThePicture) {
     const Folder folder;
     ASSERT_EQ(run(folder, {"render", k_castle, "-s", "64x64", "-o", "plain.ppm"}).code, 0);

@@ -2,12 +2,15 @@
 // explain's JSON is valid by docs/explain.schema.json; supports the parts of JSON Schema that this file uses.
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
 #include <array>
 #include <map>
+
 #include <nlohmann/json.hpp>
 
 #include "gallery/scene_file.h"
 #include "glint/explain.h"
+#include "glint/load.h"
 
 namespace glint::test {
 namespace {
@@ -132,6 +135,70 @@ void check_occlusion(const json& explanation, const Scene& scene) {
     }
 }
 
+// A picture of 8 x 4 pixels: sheets one behind the other, of which the left half is a hole, before a wall.
+Scene sheets(int count) {
+    std::string text =
+        "render { size = 8 x 4 }\ncamera { position = (0, 0, 9)  look_at = (0, 0, 0)  fov_x = 20 }\n"
+        "light { type = ambient }\n"
+        "texture leaf { texels = (\"10203033 40506066\", \"10203033 405060ff\")  filter = nearest  "
+        "alpha = mask  alpha_cutoff = 0.625  mapping = planar  scale = 8  translate = (-4, -4, 0) }\n";
+    for (int i = 0; i < count; ++i)
+        text += fmt::format(
+            "disc \"sheet {0}\" {{ center = (0, 0, -{0})  normal = (0, 0, 1)  radius = 9  texture = leaf "
+            "}}\n",
+            i);
+    text += "plane { point = (0, 0, -99)  normal = (0, 0, 1) }\n";
+    const SceneText texts[] = {{"sheets.glint", text, {}}};
+    Result<Scene> loaded = load(texts);
+    EXPECT_TRUE(loaded);
+    return loaded ? *std::move(loaded) : Scene{};
+}
+
+TEST(Explain, TheHolesOfARay) {
+    const Scene scene = sheets(3);
+    const Explanation left = explain(scene, *prepare(scene), 2, 2).value(),
+                      right = explain(scene, *prepare(scene), 6, 2).value();
+    ASSERT_EQ(left.rays.size(), 1u);
+    const ExplainedRay& ray = left.rays[0];
+    ASSERT_TRUE(ray.hit);
+    EXPECT_EQ(ray.hit->shape, 3u);
+    EXPECT_EQ(ray.hole_count, 3);
+    ASSERT_EQ(ray.holes.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const ExplainedHole& hole = ray.holes[i];
+        EXPECT_EQ(hole.shape, i);
+        EXPECT_LT(hole.t, ray.t);
+        const Vec3 at = ray.origin + ray.direction * hole.t;
+        EXPECT_NEAR(at.z, -static_cast<double>(i), 1e-12);
+        EXPECT_NEAR(hole.texture.u, (at.x + 4) / 8, 1e-12);
+        EXPECT_EQ(hole.texture.column, 0);
+        EXPECT_EQ(hole.texture.alpha, 0.2);
+        EXPECT_EQ(hole.cutoff, 0.625);
+    }
+    EXPECT_EQ(right.rays[0].hole_count, 0);
+    EXPECT_TRUE(right.rays[0].holes.empty());
+    EXPECT_EQ(right.rays[0].hit->shape, 0u);
+}
+
+TEST(Explain, ListsTheFirstHoles) {
+    const Scene scene = sheets(40);
+    const Explanation e = explain(scene, *prepare(scene), 2, 2).value();
+    EXPECT_EQ(e.rays[0].hole_count, 40);
+    ASSERT_EQ(e.rays[0].holes.size(), k_max_explained_holes);
+    EXPECT_EQ(e.rays[0].holes.back().shape, k_max_explained_holes - 1);
+}
+
+TEST(Explain, HolesOfAnotherSceneAreRefused) {
+    const Scene scene = sheets(2);
+    Explanation e = explain(scene, *prepare(scene), 2, 2).value();
+    EXPECT_TRUE(explanation_json(e, scene));
+    e.rays[0].holes[1].shape = 3;
+    EXPECT_NE(explanation_json(e, scene).message.find("shape 3 of 3"), std::string::npos);
+    e.rays[0].holes[1].shape = 2;
+    e.rays[0].holes[1].texture.texture = 1;
+    EXPECT_NE(explanation_json(e, scene).message.find("texture 1 of 1"), std::string::npos);
+}
+
 TEST(ExplainSchema, HoldsOverTheGallery) {
     std::ifstream file(GLINT_PROJECT_DIR "/docs/explain.schema.json");
     const Schema schema(json::parse(file));
@@ -164,6 +231,28 @@ TEST(ExplainSchema, HoldsOverTheGallery) {
     EXPECT_NE(schema.fault(json{{"pixel", {1, 2}}}), "");
     EXPECT_NE(schema.fault(json{{"pixel", {1, 2}}, {"samples", 1}, {"more", 1}}), "");
     EXPECT_NE(schema.fault(json{{"pixel", {1, 2.5}}, {"samples", 1}}), "");
+}
+
+TEST(ExplainSchema, HoldsOfHoles) {
+    std::ifstream file(GLINT_PROJECT_DIR "/docs/explain.schema.json");
+    const Schema schema(json::parse(file));
+    const Scene scene = sheets(3);
+    const Explanation explained = explain(scene, *prepare(scene), 2, 2).value();
+    const json read = json::parse(explanation_json(explained, scene).value());
+    EXPECT_EQ(schema.fault(read), "");
+    const json& ray = read["rays"][0];
+    EXPECT_EQ(ray["hole_count"], 3);
+    ASSERT_EQ(ray["holes"].size(), 3u);
+    const json& hole = ray["holes"][1];
+    EXPECT_EQ(hole["shape"]["name"], "sheet 1");
+    EXPECT_EQ(hole["texture"]["name"], "leaf");
+    EXPECT_EQ(hole["cutoff"], 0.625);
+    EXPECT_EQ(hole["texture"]["alpha"], 0.2);
+    EXPECT_LT(ray["holes"][0]["t"], hole["t"]);
+    EXPECT_EQ(read["rays"].size(), 1u);
+    const json other =
+        json::parse(explanation_json(explain(scene, *prepare(scene), 6, 2).value(), scene).value());
+    EXPECT_FALSE(other["rays"][0].contains("holes") || other["rays"][0].contains("hole_count"));
 }
 
 }  // namespace
