@@ -10,6 +10,7 @@ from . import command, exr, passes, python_module, warnings_panel
 from .course_scene import collection_of, messages
 from .export import camera
 from .export.files import write_text
+from .export.images import Images
 from .export.report import Report
 from .export.mesh_file import MeshFiles
 from .export.rt2 import RT2Scene, rt2_text
@@ -132,7 +133,8 @@ class GlintRenderEngine(bpy.types.RenderEngine):
             os.makedirs(folder, exist_ok=True)
         if settings.picture == "BLENDER":
             written = SceneText(depsgraph, settings.options(), report, bpy.data.materials.get, self._is_stopped,
-                                MeshFiles(os.path.join(folder, "meshes"), "meshes"))
+                                MeshFiles(os.path.join(folder, "meshes"), "meshes"),
+                                images=Images(os.path.join(folder, "textures"), "textures"))
             file = os.path.join(folder, f"{name}.glint")
             write_text(file, write(written))
             return written, file, []
@@ -179,10 +181,12 @@ class GlintRenderEngine(bpy.types.RenderEngine):
 
     @staticmethod
     def _keep(file):
-        """Copies the scene's file, and those of its meshes, to where they stay."""
-        folder, meshes = tempfile.mkdtemp(prefix="glint-failed-"), os.path.join(os.path.dirname(file), "meshes")
-        if os.path.isdir(meshes):
-            shutil.copytree(meshes, os.path.join(folder, "meshes"))
+        """Copies the scene's file, and those of its meshes and textures, to where they stay."""
+        folder = tempfile.mkdtemp(prefix="glint-failed-")
+        for name in ("meshes", "textures"):
+            part = os.path.join(os.path.dirname(file), name)
+            if os.path.isdir(part):
+                shutil.copytree(part, os.path.join(folder, name))
         return shutil.copy(file, folder)
 
 

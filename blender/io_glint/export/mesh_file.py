@@ -21,17 +21,18 @@ class MeshFiles:
     def __init__(self, folder, shown):
         self.folder, self.shown = folder, shown
 
-    def blocks_of(self, data, rows):
+    def blocks_of(self, data, rows, layers):
         """(slot, name of the file) for each material of a mesh, or None if it belongs into the text.
 
-        rows: the transform that it will have."""
+        rows: the transform that it will have. layers: slot -> its Layers, for those that have some."""
         if np is None or len(data) < MIN_TRIANGLES or not data.is_finite or not _is_usable(rows):
             return None
-        if data.files is None:
-            name = digest(data).hex()[:16]
-            data.files = [(slot, self._write(f"{name}_{slot}.ply" if slot else f"{name}.ply", content))
-                          for slot, content in ply_by_slot(data)]
-        return data.files
+        key = _digest_of_layers(layers)
+        if key not in data.files:
+            name = digest(data).hex()[:16] + key
+            data.files[key] = [(slot, self._write(f"{name}_{slot}.ply" if slot else f"{name}.ply", content))
+                               for slot, content in ply_by_slot(data, layers)]
+        return data.files[key]
 
     def _write(self, name, content):
         path = os.path.join(self.folder, name)
@@ -62,6 +63,18 @@ def digest(data):
     return key.digest()
 
 
+def _digest_of_layers(layers):
+    """Empty without layers."""
+    if not layers:
+        return ""
+    key = hashlib.blake2b(digest_size=4)
+    for slot, (uv, colors, _) in sorted(layers.items()):
+        key.update(f"{slot} {uv is None} {colors is None}".encode())
+        for values in (uv, colors):
+            key.update(values or b"")
+    return "_" + key.hexdigest()
+
+
 def may_be_a_shape(data):
     """Whether looking for a sphere, a cylinder, a cone, a disc or a box is worth the time: vertices at one distance from the
     middle, or in the two end planes of an axis."""
@@ -74,8 +87,8 @@ def may_be_a_shape(data):
     return bool((((points - low) <= near) | ((high - points) <= near)).all(0).any())
 
 
-def ply_by_slot(data):
-    """(slot, bytes of a .ply) for each material slot that has triangles with an area."""
+def ply_by_slot(data, layers):
+    """(slot, bytes of a .ply) for each material slot that has triangles with an area. layers: slot -> its Layers."""
     vertices = np.frombuffer(data.raw_vertices, np.float32).reshape(-1, 3)
     corners = np.frombuffer(data.raw_corners, np.int32).reshape(-1, 3)
     loops = np.frombuffer(data.raw_loops, np.int32).reshape(-1, 3)
@@ -88,28 +101,46 @@ def ply_by_slot(data):
     is_flat = ((at_corners * faces[:, None, :]).sum(2) > 1 - 1e-6).all(1)
     for slot in np.unique(slots):
         chosen = has_area & (slots == slot)
-        if chosen.any():
-            yield int(slot), _ply(vertices, corners[chosen], at_corners[chosen], is_flat[chosen])
+        if not chosen.any():
+            continue
+        names, columns = [], []  # what the corners have, besides a place
+        if not is_flat[chosen].all():
+            names += ["nx", "ny", "nz"]
+            columns.append(np.where(is_flat[chosen][:, None, None], np.float32(0), at_corners[chosen]).reshape(-1, 3))
+        for values, some in zip(layers.get(int(slot), (None, None, ""))[:2], (["s", "t"], ["red", "green", "blue"])):
+            if values is not None:
+                names += some
+                columns.append(np.frombuffer(values, np.float32).reshape(-1, len(some))[loops[chosen].reshape(-1)])
+        yield int(slot), _ply(vertices, corners[chosen], names, columns)
 
 
-def _ply(vertices, corners, at_corners, is_flat):
-    if is_flat.all():
+def _ply(vertices, corners, names, columns):
+    if not columns:
         used, numbers = _used(corners, len(vertices))
-        return _bytes(vertices[used], None, numbers)
-    wanted = np.where(is_flat[:, None, None], np.float32(0), at_corners).reshape(-1, 3)
+        return _bytes(vertices[used], names, numbers)
+    wanted = np.hstack(columns) if len(columns) > 1 else columns[0]
     flat_corners = corners.reshape(-1)
-    # A vertex for each pair of a place and a normal: the places alone, where each has one normal.
-    first = np.zeros((len(vertices), 3), np.float32)
+    # A vertex for each pair of a place and what its corners have: the places alone, where all corners have the same.
+    first = np.zeros((len(vertices), wanted.shape[1]), np.float32)
     first[flat_corners] = wanted
     if np.array_equal(first[flat_corners], wanted):
         used, numbers = _used(corners, len(vertices))
-        return _bytes(vertices[used], first[used], numbers)
-    pairs = np.empty(len(wanted), [("at", np.int32), ("n", np.void, 12)])
-    pairs["at"] = flat_corners
-    pairs["n"] = np.ascontiguousarray(wanted).view(np.dtype((np.void, 12))).reshape(-1)
-    keys = np.ascontiguousarray(pairs).view(np.dtype((np.void, 16))).reshape(-1)
+        return _bytes(np.hstack([vertices[used], first[used]]), names, numbers)
+    index, numbers = _distinct(np.hstack([flat_corners[:, None], np.ascontiguousarray(wanted).view(np.int32)]))
+    return _bytes(np.hstack([vertices[flat_corners[index]], wanted[index]]), names, numbers.reshape(-1, 3).astype(np.int32))
+
+
+def _distinct(rows):
+    """(the numbers of rows that differ from all others of these, for each row which of them it is). Rows are compared by a hash,
+    which is much faster than by their numbers; should two rows have the same hash, they are compared by these."""
+    keys = np.zeros(len(rows), np.uint64)
+    for column in rows.T:
+        keys = (keys ^ column.astype(np.uint32)) * np.uint64(0x9E3779B97F4A7C15)
+        keys ^= keys >> np.uint64(29)
     _, index, numbers = np.unique(keys, return_index=True, return_inverse=True)
-    return _bytes(vertices[flat_corners[index]], wanted[index], numbers.reshape(-1, 3))
+    if not np.array_equal(rows[index][numbers], rows):
+        _, index, numbers = np.unique(rows, axis=0, return_index=True, return_inverse=True)
+    return index, numbers.reshape(-1)
 
 
 def _used(corners, count):
@@ -119,12 +150,11 @@ def _used(corners, count):
     return used, (np.cumsum(used, dtype=np.int32) - 1)[corners]
 
 
-def _bytes(points, normals, triangles):
-    names = ["x", "y", "z"] + (["nx", "ny", "nz"] if normals is not None else [])
-    header = "".join(["ply\nformat binary_little_endian 1.0\n", f"element vertex {len(points)}\n",
-                      *(f"property float {name}\n" for name in names), f"element face {len(triangles)}\n",
+def _bytes(table, names, triangles):
+    """names: of the table's columns after x, y and z."""
+    header = "".join(["ply\nformat binary_little_endian 1.0\n", f"element vertex {len(table)}\n",
+                      *(f"property float {name}\n" for name in ("x", "y", "z", *names)), f"element face {len(triangles)}\n",
                       "property list uchar int vertex_indices\nend_header\n"])
-    table = points if normals is None else np.hstack([points, normals])
     faces = np.empty(len(triangles), [("count", "u1"), ("corners", "<i4", 3)])
     faces["count"], faces["corners"] = 3, triangles
     return header.encode() + table.astype("<f4").tobytes() + faces.tobytes()
