@@ -29,7 +29,7 @@ class Images:
 
     def mean(self, image):
         """The mean linear color and the mean alpha of an image, four numbers, from evenly spaced pixels; None if it has none."""
-        return None if image is None else self._once(image, "mean", lambda: _mean_pixel(image))
+        return None if image is None else self._once(image, "mean", lambda: mean_pixel(image))
 
     def file(self, image, variant):
         """(the file's name in the text, its encoding, what its colors are to be multiplied by) of an image under a Variant; a text
@@ -89,7 +89,7 @@ def _linear(c):
     return c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4
 
 
-def _mean_pixel(image):
+def mean_pixel(image):
     pixels = _pixels(image)
     if pixels is None:
         return None

@@ -5,6 +5,7 @@ import statistics
 import tempfile
 import time
 import unittest
+import unittest.mock
 import weakref
 
 import bpy
@@ -112,6 +113,32 @@ class RenderedMode(unittest.TestCase):
         self.wait()
         self.assertGreater(self.difference(before, self.screenshot()), 0.003)
         cube.location.x -= 2
+
+    def test_images_are_read_when_they_change(self):
+        from io_glint.export import images  # pylint: disable=import-outside-toplevel
+        cube = next(ob for ob in self.scene.objects if ob.type == "MESH")
+        material, image = bpy.data.materials.new("image"), bpy.data.images.new("image", 64, 64)
+        material.use_nodes = True
+        tree = material.node_tree
+        node = tree.nodes.new("ShaderNodeTexImage")
+        node.image = image
+        tree.links.new(node.outputs["Color"], tree.nodes["Principled BSDF"].inputs["Base Color"])
+        old, cube.material_slots[0].material = cube.material_slots[0].material, material
+        self.addCleanup(setattr, cube.material_slots[0], "material", old)
+        lamp = next(ob for ob in self.scene.objects if ob.type == "LIGHT")
+        with unittest.mock.patch.object(images, "content", wraps=images.content) as content:
+            self.wait()
+            dark, loads = self.screenshot(), self.viewport().renderer.loads
+            lamp.data.energy += 10
+            self.wait()
+            lamp.data.energy -= 10
+            self.wait()
+            self.assertEqual((content.call_count, self.viewport().renderer.loads), (1, loads))
+            image.pixels[:] = [1.0] * len(image.pixels)
+            image.update_tag()  # as after a stroke of painting
+            self.wait()
+            self.assertEqual(content.call_count, 2)
+        self.assertGreater(self.difference(dark, self.screenshot()), 0.01)
 
     def test_orbits_are_followed(self):
         self.space.region_3d.view_perspective, self.space.region_3d.view_distance = "PERSP", 6
