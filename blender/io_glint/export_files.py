@@ -14,7 +14,7 @@ from .export.images import Images
 from .export.mesh_file import MeshFiles
 from .export.report import Report
 from .export.rt2 import RT2Scene, rt2_text
-from .export.scene import glint_text, report_settings
+from .export.scene import glint_text, report_color_management, report_settings
 from .properties import SCENE_SETTINGS
 
 
@@ -30,6 +30,7 @@ def export_text(context, options, evaluation, as_rt2, report, mesh_files=None, i
         if scene.camera is None:
             camera.read(None, scene, report)
         report_settings(scene, context.view_layer, report)  # the render below has some of them off
+        report_color_management(scene, report)
         crop = camera.border(scene.render)
         if crop:
             report.warn(f"scene '{scene.name}'", "a scene's text has no render region; its part is --crop {}x{}+{}+{}"

@@ -204,12 +204,15 @@ def override_of(depsgraph):
 
 
 def report_settings(scene, view_layer, report):
-    """Reports what has no effect of the render settings and the view layer."""
-    item = f"scene '{scene.name}'"
-    for struct in (scene.render, getattr(scene, "cycles", None)):
-        if struct is not None:
-            ignored.report(struct, item, report)
+    """Reports what has no effect of the scene's settings and the view layer."""
+    ignored.report(scene, f"scene '{scene.name}'", report)
     ignored.report(view_layer, f"view layer '{view_layer.name}'", report)
+
+
+def report_color_management(scene, report):
+    """Reports what Blender does to F12's picture, but nobody to that of a text."""
+    for struct in (scene.view_settings, scene.display_settings):
+        ignored.report(struct, f"scene '{scene.name}'", report)
 
 
 def report_no_lights(scene, report):
