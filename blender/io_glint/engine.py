@@ -6,7 +6,7 @@ import tempfile
 
 import bpy
 
-from . import command, exr, passes, python_module, warnings_panel
+from . import command, exr, passes, python_module, viewport_message, warnings_panel
 from .course_scene import collection_of, messages
 from .export import camera
 from .export.files import write_text
@@ -32,7 +32,7 @@ class GlintRenderEngine(bpy.types.RenderEngine):
     bl_use_preview = True
     bl_use_postprocess = True
     bl_use_eevee_viewport = True  # the viewport shading Material Preview is Eevee's
-    _viewport = None
+    _viewport, _fault = None, ""  # of a viewport: what draws it, or why nothing does
 
     def __init__(self, *args, **kwargs):
         super().__init__(*args, **kwargs)  # needed from 4.4
@@ -42,9 +42,9 @@ class GlintRenderEngine(bpy.types.RenderEngine):
             self._viewport.close()
 
     def view_update(self, context, depsgraph):
-        module, fault = python_module.find()
+        module, self._fault = python_module.find()
         if module is None:
-            self.update_stats("glint", fault)
+            self.update_stats("glint", self._fault)
             return
         if self._viewport is None:
             self._viewport = Viewport(self, module)
@@ -53,6 +53,8 @@ class GlintRenderEngine(bpy.types.RenderEngine):
     def view_draw(self, context, depsgraph):
         if self._viewport is not None:
             self._viewport.draw(context, depsgraph)
+        else:
+            viewport_message.draw(self._fault, context.region)
 
     def update_render_passes(self, scene=None, renderlayer=None):
         self.register_pass(scene, renderlayer, "Combined", 4, "RGBA", "COLOR")

@@ -10,6 +10,7 @@ import bpy
 import gpu
 from gpu_extras.presets import draw_texture_2d
 
+from . import viewport_message
 from .course_scene import collection_of
 from .export import camera, mesh
 from .export.images import Images
@@ -88,11 +89,14 @@ class Viewport:
         renderer, engine = self.renderer, self._engine()
         if self._fault or self._written is None:
             engine.update_stats("glint", self._fault)
+            viewport_message.draw(self._fault, region)
             return
         if self._ask(_view_of(context), (region.width, region.height), scene):
             renderer.step()
             self._is_changed = True
         engine.update_stats("glint", renderer.fault or ("" if renderer.is_final else "rendering"))
+        if renderer.fault:
+            viewport_message.draw(renderer.fault, region)
         if renderer.picture is None or renderer.fault:
             return
         if self._is_changed:

@@ -2,6 +2,7 @@
 """Rendered mode: the viewport shows what F12 shows, follows edits, and comes soon."""
 import os
 import statistics
+import sys
 import tempfile
 import time
 import unittest
@@ -179,6 +180,30 @@ class RenderedMode(unittest.TestCase):
             ball.hide_set(is_hidden)
             self.wait()
         self.assertLess(self.difference(before, self.screenshot()), 1e-3)
+
+    def test_without_the_package_the_viewport_says_what_to_install(self):
+        from io_glint import python_module, viewport_message  # pylint: disable=import-outside-toplevel
+        self.space.shading.type = "SOLID"
+        self.redraw()
+        drawn = []
+        real = viewport_message.blf.draw
+        with unittest.mock.patch.dict(sys.modules, {"glint": None}), \
+                unittest.mock.patch.object(viewport_message.blf, "draw", lambda font, line: (drawn.append(line), real(font, line))):
+            fault = python_module.find()[1]
+            self.space.shading.type = "RENDERED"
+            self.redraw()
+            shown = self.screenshot()
+            bpy.ops.object.select_all(action="INVERT")
+            self.redraw()  # edits go on
+        self.assertEqual(" ".join(drawn[:len(drawn) // 2]), fault)
+        for words in ("is not installed", "F12", "Install", "-m pip install"):
+            self.assertIn(words, fault)
+        yellow = sum(r - b > 0.1 for r, b in zip(shown[2][0::4], shown[2][2::4]))
+        self.assertGreater(yellow, 500)
+        self.space.shading.type = "SOLID"
+        self.redraw()
+        self.space.shading.type = "RENDERED"
+        self.wait()  # and it works when the package is there
 
     def test_an_error_is_shown_and_ends(self):
         self.scene.glint.picture, camera = "RT2", self.scene.camera
