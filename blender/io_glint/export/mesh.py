@@ -36,8 +36,10 @@ class MeshData:
         mesh.calc_loop_triangles()
         self.raw_vertices = _read(mesh.vertices, "co", "f", 3)
         triangles = mesh.loop_triangles
-        self.raw_corners = _read(triangles, "vertices", "i", 3)
         self.raw_loops = _read(triangles, "loops", "i", 3)
+        self.loop_vertices = _read(mesh.loops, "vertex_index", "i", 1)
+        self.raw_corners = (_read(triangles, "vertices", "i", 3) if mesh_file.np is None  # which takes longer
+                            else mesh_file.taken(self.loop_vertices, self.raw_loops))
         self.areas = _read(triangles, "area", "f", 1)
         self.raw_face_normals = _read(triangles, "normal", "f", 3)
         self.slots = _read(triangles, "material_index", "i", 1)
@@ -48,12 +50,11 @@ class MeshData:
         self.smooth = _read(mesh.polygons, "use_smooth", "b", 1)
         self.starts = _read(mesh.polygons, "loop_start", "i", 1)
         self.totals = _read(mesh.polygons, "loop_total", "i", 1)
-        self.loop_vertices = _read(mesh.loops, "vertex_index", "i", 1)
         self.files = {}  # mesh_file.py
         self._box = self._outline = None
         self._recognised = {}
-        flat = self.raw_vertices
-        self.is_finite = not flat or (math.isfinite(sum(flat)) and max(flat) <= MAX_COORDINATE and min(flat) >= -MAX_COORDINATE)
+        sides = self._sides()
+        self.is_finite = all(math.isfinite(v) and abs(v) <= MAX_COORDINATE for side in sides for v in side)
 
     vertices = cached_property(lambda self: _triples(self.raw_vertices))
     corners = cached_property(lambda self: _triples(self.raw_corners))
@@ -70,9 +71,17 @@ class MeshData:
     def corners_of_bounds(self):
         """The eight corners of the box around the vertices."""
         if self._box is None:
-            sides = (self.raw_vertices[i::3] for i in range(3))
-            self._box = list(product(*((min(side), max(side)) for side in sides)))
+            self._box = list(product(*self._sides()))
         return self._box
+
+    def _sides(self):
+        """(least, greatest) along each axis; NaN if a coordinate is NaN."""
+        if not self.raw_vertices:
+            return []
+        if mesh_file.np is not None:
+            return mesh_file.sides(self.raw_vertices)
+        sides = [self.raw_vertices[i::3] for i in range(3)]
+        return [(math.nan, math.nan) if math.isnan(sum(side)) else (min(side), max(side)) for side in sides]
 
     def outline(self):
         """What the recognition of shapes looks at; vertices without faces are left out."""

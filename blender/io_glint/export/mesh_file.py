@@ -3,6 +3,7 @@
 small meshes, mesh.py writes triangles into the text."""
 import hashlib
 import os
+from array import array
 
 try:
     import numpy as np
@@ -49,6 +50,17 @@ def _is_usable(rows):
     matrix = np.array(rows, float)[:3, :3]
     lengths = np.linalg.norm(matrix, axis=0)
     return bool(np.all(lengths > 0) and np.linalg.cond(matrix / lengths) < MAX_CONDITION)
+
+
+def taken(values, numbers):
+    """An array of the values with these numbers, both of int32."""
+    return array("i", np.frombuffer(values, np.int32)[np.frombuffer(numbers, np.int32)].tobytes())
+
+
+def sides(values):
+    """(least, greatest) of each coordinate; NaN if one is NaN."""
+    points = np.frombuffer(values, np.float32).reshape(-1, 3)
+    return list(zip(points.min(0).tolist(), points.max(0).tolist()))
 
 
 def digest(data):
@@ -103,10 +115,12 @@ def ply_by_slot(data, layers):
         chosen = has_area & (slots == slot)
         if not chosen.any():
             continue
+        if chosen.all():
+            chosen = slice(None)  # copies nothing
         names, columns = [], []  # what the corners have, besides a place
         if not is_flat[chosen].all():
             names += ["nx", "ny", "nz"]
-            columns.append(np.where(is_flat[chosen][:, None, None], np.float32(0), at_corners[chosen]).reshape(-1, 3))
+            columns.append(_normals_to_write(corners[chosen], at_corners[chosen], is_flat[chosen], len(vertices)))
         for values, some in zip(layers.get(int(slot), (None, None, ""))[:2], (["s", "t"], ["red", "green", "blue"])):
             if values is not None:
                 names += some
@@ -114,20 +128,36 @@ def ply_by_slot(data, layers):
         yield int(slot), _ply(vertices, corners[chosen], names, columns)
 
 
+def _normals_to_write(corners, at_corners, is_flat, count):
+    """A normal for each corner: its own where all corners at a vertex have one, and else (0, 0, 0), which they can share, for those of
+    flat triangles."""
+    own, at = at_corners.reshape(-1, 3), corners.reshape(-1)
+    first = np.zeros((count, 3), np.float32)
+    first[at] = own
+    return own if np.array_equal(first[at], own) else np.where(is_flat[:, None, None], np.float32(0), at_corners).reshape(-1, 3)
+
+
 def _ply(vertices, corners, names, columns):
     if not columns:
         used, numbers = _used(corners, len(vertices))
         return _bytes(vertices[used], names, numbers)
     wanted = np.hstack(columns) if len(columns) > 1 else columns[0]
-    flat_corners = corners.reshape(-1)
-    # A vertex for each pair of a place and what its corners have: the places alone, where all corners have the same.
+    at = corners.reshape(-1)
+    # A vertex for each pair of a place and what its corners have: at most places, all corners have the same.
     first = np.zeros((len(vertices), wanted.shape[1]), np.float32)
-    first[flat_corners] = wanted
-    if np.array_equal(first[flat_corners], wanted):
-        used, numbers = _used(corners, len(vertices))
-        return _bytes(np.hstack([vertices[used], first[used]]), names, numbers)
-    index, numbers = _distinct(np.hstack([flat_corners[:, None], np.ascontiguousarray(wanted).view(np.int32)]))
-    return _bytes(np.hstack([vertices[flat_corners[index]], wanted[index]]), names, numbers.reshape(-1, 3).astype(np.int32))
+    first[at] = wanted
+    is_split = np.zeros(len(vertices), bool)
+    for ours, theirs in zip(first[at].T, wanted.T):
+        is_split[at[ours != theirs]] = True
+    splits = is_split[at]
+    used, numbers = _used(at, len(vertices), is_split)
+    table = [np.hstack([vertices[used], first[used]])]
+    if splits.any():
+        some = wanted[splits]
+        index, new = _distinct(np.hstack([at[splits][:, None], np.ascontiguousarray(some).view(np.int32)]))
+        numbers[splits] = len(table[0]) + new
+        table.append(np.hstack([vertices[at[splits][index]], some[index]]))
+    return _bytes(np.concatenate(table), names, numbers.reshape(-1, 3))
 
 
 def _distinct(rows):
@@ -143,10 +173,11 @@ def _distinct(rows):
     return index, numbers.reshape(-1)
 
 
-def _used(corners, count):
-    """(which of the vertices have a triangle, the corners' numbers among these)"""
+def _used(corners, count, without=False):
+    """(which of the vertices have a triangle and are not `without`, the corners' numbers among these)"""
     used = np.zeros(count, bool)
     used[corners] = True
+    used &= ~np.asarray(without)
     return used, (np.cumsum(used, dtype=np.int32) - 1)[corners]
 
 
