@@ -124,7 +124,9 @@ def content(image, variant):
     if space not in SPACES:
         return f"its color space is {space}"
     encoding = "srgb" if space == "sRGB" else "linear"
-    may_have_alpha = image.alpha_mode != "NONE" and image.depth // (4 if image.is_float else 1) in (16, 32)
+    # A file without alpha has the depth 24; what is made or edited in Blender has alpha, whatever its depth.
+    may_have_alpha = image.alpha_mode != "NONE" and (image.source == "GENERATED" or image.is_dirty
+                                                     or image.depth // (4 if image.is_float else 1) in (16, 32))
     darkens = may_have_alpha and not alpha and image.alpha_mode != "CHANNEL_PACKED" and space not in DATA_SPACES
     if color and not border and not image.is_dirty:
         data, extension = _stored(image)

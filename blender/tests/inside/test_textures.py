@@ -106,6 +106,16 @@ class AgainstCycles(Textured):
                             self.tree.links.new(output, into)
                     self.check(0.006)
 
+    def test_a_generated_image_has_alpha_whatever_its_depth(self):
+        self.lamp("SUN", 3, angle=0)
+        image = self.image(space="sRGB")
+        self.assertEqual(image.depth, 24)
+        pixels = list(image.pixels)
+        pixels[3::4] = [0.5] * 64
+        image.pixels[:] = pixels
+        self.add("plane", size=5, material=self.textured(image))
+        self.check(0.006)
+
     def test_what_glows_and_what_is_tinted(self):
         material = self.shader("ShaderNodeEmission", "screen", Strength=0.7)
         tree = material.node_tree
