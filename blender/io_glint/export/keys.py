@@ -46,11 +46,24 @@ def of_phong(material, world):
 
 
 def _make_multiples(keys, tint):
-    """The colors of a mesh replace the material's: what they shall color must be multiples of it. The tint is in them."""
+    """The colors of a mesh replace the material's: what they shall color must be multiples of it. The tint is in them. That of the
+    world's light must be in the ambient light: under_light()."""
     keys["color"] = phong.WHITE
     for name in ("ambient", "diffuse"):
-        factors = [k / t for k, t in zip(keys.pop(name + "_color"), tint) if t > 0]
-        keys[name] = sum(factors) / len(factors) if factors else 0.0
+        keys[name] = max((k / t for k, t in zip(keys.pop(name + "_color"), tint) if t > 0), default=0.0)
+
+
+def under_light(keys, light):
+    """The same appearance under an ambient light of another color than white, for keys whose color is not that of a mesh's corners.
+
+    Where a texture multiplies k_a, k_a is divided by the light; else the light that k_a gives is emitted."""
+    out = dict(keys)
+    factor = out.pop("ambient", 0.1)
+    ambient = out.pop("ambient_color", tuple(factor * c for c in out.get("color", (0.8, 0.8, 0.8))))
+    if "texture" in out:
+        return {**out, "ambient_color": tuple(a / i if i > 0 else 0.0 for a, i in zip(ambient, light))}
+    emission = out.pop("emission_color", phong.BLACK)
+    return {**out, "ambient_color": phong.BLACK, "emission_color": tuple(a + e for a, e in zip(ambient, emission))}
 
 
 def of_course(material):

@@ -43,6 +43,7 @@ class MaterialTable:
         self.images, self._draws_patterns = images or Images(), images is not None and images.folder is not None
         self._names, self._keys, self._pass_indices = UniqueNames(), {}, {}
         self._looks, self._textures, self._texture_names = {}, {}, UniqueNames()
+        self.ambient_light = phong.WHITE  # that of the scene, after all materials are known
 
     def of_slot(self, material, is_plain=False):
         """The name under which a Blender material (None: no material) is exported. is_plain: for a shape that has no UV map and no
@@ -79,19 +80,23 @@ class MaterialTable:
     def _of_blender(self, key, material, draws_patterns):
         found = phong_of(material, self.report, self.images, draws_patterns)
         made = keys.of_phong(found, self.world)
-        texture = self._draw_pattern(key, material, found.pattern, made) if found.pattern is not None else None
+        texture = self._draw_pattern(key, material, found, made) if found.pattern is not None else None
         if self.shading == "phong":  # R.V falls off four times as fast as N.H
             made["shininess"] = made["shininess"] / 4
         made = keys.bounded(made, self.report, describe(material))
         made = keys.replaced(made, material, self.report, describe(material))
         return made if texture is None else {**made, "texture": texture}
 
-    def _draw_pattern(self, key, material, pattern, made):
+    def _draw_pattern(self, key, material, found, made):
         """Notes what a material's triangles need; the name of its texture, or None."""
+        pattern = found.pattern
         use, has_layer = pattern.image, pattern.layer is not None
         self._looks[self._names.name(key, material.name)] = Look(use.uv if use else None, pattern.layer, pattern.tint if has_layer else phong.WHITE)
-        if has_layer and "ambient" in made and max(self.world) - min(self.world) > 1e-3 * max(self.world):
-            self.report.warn(describe(material), "the world's light on the colors of its mesh is without its tint")
+        if has_layer and made.get("ambient") and max(self.world) - min(self.world) > 1e-3 * max(self.world):
+            if found.glows:  # glint's k_e has not the colors of meshes
+                self.report.warn(describe(material), "beside other meshes with colors, its light has the tint of the world's")
+            else:
+                self.ambient_light = tuple(c / max(self.world) for c in self.world)
         if use is None:
             return None
         file, encoding, factor = self.images.file(use.image, use.variant)
@@ -131,6 +136,9 @@ class MaterialTable:
         for name, entries in self._textures.items():
             yield texture_block(name, *entries)
         for name, values in self._keys.items():
+            look = self._looks.get(name)
+            if self.ambient_light != phong.WHITE and (look is None or look.layer is None):
+                values = keys.under_light(values, self.ambient_light)
             yield block("material", name, [(key, _value(v)) for key, v in values.items()])
 
 

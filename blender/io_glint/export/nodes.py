@@ -121,8 +121,9 @@ class NodeReader:
                 self.report.warn(self.item, f"the image at '{socket.name}' is exported as its mean {what}" +
                                  (f": {reason}" if reason else ""))
         if made is None:
+            reason = self.reasons.get((node.as_pointer(), end.name))
             self.report.warn(self.item, f"the {node.bl_label} node at '{socket.name}' cannot be exported; "
-                                        "the socket's own value is used")
+                                        "the socket's own value is used" + (f": {reason}" if reason else ""))
             made = _plain(socket.default_value)
         return _fit(made, like)
 

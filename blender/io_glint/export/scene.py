@@ -76,7 +76,7 @@ class SceneText:
             report_no_lights(self.scene, self.report)
         sky = list(self._sky())
         if self.table.has_ambient:
-            self._lights.insert(0, light.ambient_block())
+            self._lights.insert(0, light.ambient_block(self.table.ambient_light))
         head = [*self._head(), *sky, *self._lights, "", *self.table.blocks(), ""]
         return "\n".join(head) + "\n", "\n".join(self._chunks) + "\n"
 

@@ -122,6 +122,19 @@ class VertexColors(CyclesTest):
         self.assertLess(rms, 0.004)
         self.assertIn("texture", self.keys("paint"))
 
+    def test_what_glows(self):
+        material = self.shader("ShaderNodeEmission", "screen", Strength=0.7)
+        tree = material.node_tree
+        node = tree.nodes.new("ShaderNodeVertexColor")
+        tree.links.new(node.outputs["Color"], tree.nodes["Emission"].inputs["Color"])
+        self.paint(self.add("plane", size=4, material=material))
+        rms, _ = self.differences(256, aa=8)
+        self.assertLess(rms, 0.005)
+        self.assertEqual((self.keys("screen")["ambient"], self.warnings), ("0.7", []))
+        self.world((0.1, 0.2, 0.3))
+        self.assertIn("type = ambient  color = (1, 1, 1)", self.export())
+        self.assertEqual(sum("its light has the tint" in w for w in self.warnings), 1)
+
     def test_the_worlds_light(self):
         plane = self.add("plane", size=4, material=self.painted(), location=(0, 0, 0))
         self.paint(plane)
@@ -129,9 +142,49 @@ class VertexColors(CyclesTest):
         keys = self.keys("paint")
         self.assertEqual((keys["color"], keys["ambient"], keys["diffuse"]), ("(1, 1, 1)", "0.4", "1"))
         self.assertEqual(self.warnings, [])
-        self.world((0.2, 0.4, 0.6))
-        self.assertEqual(self.keys("paint")["ambient"], "0.4")
-        self.assertEqual(sum("without its tint" in w for w in self.warnings), 1)
+        self.assertIn("type = ambient  color = (1, 1, 1)", self.export())
+
+    def test_a_worlds_light_with_a_tint(self):
+        """It is in the ambient light, and the other materials look as before."""
+        self.paint(self.add("plane", size=4, material=self.painted(), location=(-2, 0, 0)))
+        image = bpy.data.images.new("grey", 2, 2)
+        image.pixels[:] = [0.5, 0.6, 0.7, 1] * 4
+        others = [self.material("green", (0.2, 0.8, 0.1)), self.shader("ShaderNodeEmission", "lamp", Color=(1, 0.5, 0), Strength=0.3),
+                  self.material("picture")]
+        tree = others[2].node_tree
+        node = tree.nodes.new("ShaderNodeTexImage")
+        node.image = image
+        tree.links.new(node.outputs["Color"], tree.nodes["Principled BSDF"].inputs["Base Color"])
+        for i, material in enumerate(others):
+            self.add("plane", size=1, location=(1, i - 1, 0.1), material=material)
+        grass = self.add("plane", size=1, location=(2, 0, 0.1))
+        grass["material"] = "grass"
+        self.world((0.2, 0, 0.6))
+        self.assertIn("type = ambient  color = (0.3333333, 0, 1)", self.export())
+        self.assertEqual(self.warnings, [])
+        tinted = self.layers("background")["beauty"].channels
+        self.objects_of_colors_hidden(True)
+        self.assertIn("type = ambient  color = (1, 1, 1)", self.export())
+        plain = self.layers("background")["beauty"].channels
+        width = self.scene.render.resolution_x
+        for channel in "RGB":
+            right = [(a, b) for i, (a, b) in enumerate(zip(tinted[channel], plain[channel])) if i % width > 0.55 * width]
+            self.assertLess(max(abs(a - b) for a, b in right), 1e-5)
+            self.assertGreater(max(b for _, b in right), 0.1)
+        self.objects_of_colors_hidden(False)
+        self.scene.objects["Key"].hide_render = True
+        self.export()
+        ours = self.layers("background", aa=8)["beauty"]
+        self.scene.cycles.max_bounces = 0
+        theirs = self.cycles(256)
+        left = [i for i in range(len(ours.channels["R"])) if i % width < 0.4 * width]
+        for channel in "RGB":
+            self.assertLess(sum((ours.channels[channel][i] - theirs.channels[channel][i])**2 for i in left) / len(left), 0.01**2)
+
+    def objects_of_colors_hidden(self, is_hidden):
+        for ob in self.scene.objects:
+            if ob.type == "MESH" and ob.data.color_attributes:
+                ob.hide_render = is_hidden
 
     def test_rt2_has_one_color(self):
         self.paint(self.add("plane", name="plane", material=self.painted()))
