@@ -11,6 +11,8 @@ import pathlib
 import re
 import zipfile
 
+import documentation
+
 HERE = pathlib.Path(__file__).resolve().parent
 ADDON = HERE / "io_glint"
 # What the zip takes of glint-VERSION-PLATFORM, in its places: the program first, its libraries, and the licences of both.
@@ -39,6 +41,8 @@ def addon_files(platform=None):
                 content = re.sub(rb"^license = .*\n", lambda found: found[0] + line, content, flags=re.M)
             yield f"io_glint/{path.relative_to(ADDON).as_posix()}", content
     yield "io_glint/LICENSE", (HERE.parent / "LICENSE").read_bytes()
+    markdown = (HERE.parent / "docs" / "blender.md").read_text(encoding="utf-8")
+    yield "io_glint/documentation.html", documentation.page(markdown).encode()
 
 
 def taken(folder, patterns, below):

@@ -7,7 +7,7 @@ bl_info = {
     "blender": (3, 3, 0),
     "location": "File > Export > glint (.glint), RT2 (.json); render engine glint",
     "description": "Export scenes to glint and to RT2's JSON, and render them by glint",
-    "doc_url": "",
+    "doc_url": "",  # no site is published yet: the button Documentation shows the copy in the zip (preferences.py)
     "category": "Import-Export",
 }
 

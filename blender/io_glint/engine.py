@@ -6,10 +6,11 @@ import tempfile
 
 import bpy
 
-from . import command, exr, passes, python_module, warnings_panel
+from . import command, exr, passes, python_module, viewport_message, warnings_panel
 from .course_scene import collection_of, messages
 from .export import camera
 from .export.files import write_text
+from .export.images import Images
 from .export.report import Report
 from .export.mesh_file import MeshFiles
 from .export.rt2 import RT2Scene, rt2_text
@@ -31,7 +32,7 @@ class GlintRenderEngine(bpy.types.RenderEngine):
     bl_use_preview = True
     bl_use_postprocess = True
     bl_use_eevee_viewport = True  # the viewport shading Material Preview is Eevee's
-    _viewport = None
+    _viewport, _fault = None, ""  # of a viewport: what draws it, or why nothing does
 
     def __init__(self, *args, **kwargs):
         super().__init__(*args, **kwargs)  # needed from 4.4
@@ -41,9 +42,9 @@ class GlintRenderEngine(bpy.types.RenderEngine):
             self._viewport.close()
 
     def view_update(self, context, depsgraph):
-        module, fault = python_module.find()
+        module, self._fault = python_module.find()
         if module is None:
-            self.update_stats("glint", fault)
+            self.update_stats("glint", self._fault)
             return
         if self._viewport is None:
             self._viewport = Viewport(self, module)
@@ -52,6 +53,8 @@ class GlintRenderEngine(bpy.types.RenderEngine):
     def view_draw(self, context, depsgraph):
         if self._viewport is not None:
             self._viewport.draw(context, depsgraph)
+        else:
+            viewport_message.draw(self._fault, context.region)
 
     def update_render_passes(self, scene=None, renderlayer=None):
         self.register_pass(scene, renderlayer, "Combined", 4, "RGBA", "COLOR")
@@ -132,7 +135,8 @@ class GlintRenderEngine(bpy.types.RenderEngine):
             os.makedirs(folder, exist_ok=True)
         if settings.picture == "BLENDER":
             written = SceneText(depsgraph, settings.options(), report, bpy.data.materials.get, self._is_stopped,
-                                MeshFiles(os.path.join(folder, "meshes"), "meshes"))
+                                MeshFiles(os.path.join(folder, "meshes"), "meshes"),
+                                images=Images(os.path.join(folder, "textures"), "textures"))
             file = os.path.join(folder, f"{name}.glint")
             write_text(file, write(written))
             return written, file, []
@@ -179,10 +183,12 @@ class GlintRenderEngine(bpy.types.RenderEngine):
 
     @staticmethod
     def _keep(file):
-        """Copies the scene's file, and those of its meshes, to where they stay."""
-        folder, meshes = tempfile.mkdtemp(prefix="glint-failed-"), os.path.join(os.path.dirname(file), "meshes")
-        if os.path.isdir(meshes):
-            shutil.copytree(meshes, os.path.join(folder, "meshes"))
+        """Copies the scene's file, and those of its meshes and textures, to where they stay."""
+        folder = tempfile.mkdtemp(prefix="glint-failed-")
+        for name in ("meshes", "textures"):
+            part = os.path.join(os.path.dirname(file), name)
+            if os.path.isdir(part):
+                shutil.copytree(part, os.path.join(folder, name))
         return shutil.copy(file, folder)
 
 

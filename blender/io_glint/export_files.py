@@ -10,15 +10,16 @@ from .course_scene import collection_of, messages
 from .evaluate import with_depsgraph
 from .export import camera
 from .export.files import write_text
+from .export.images import Images
 from .export.mesh_file import MeshFiles
 from .export.report import Report
 from .export.rt2 import RT2Scene, rt2_text
-from .export.scene import glint_text, report_settings
+from .export.scene import glint_text, report_color_management, report_settings
 from .properties import SCENE_SETTINGS
 
 
-def export_text(context, options, evaluation, as_rt2, report, mesh_files=None):
-    """The scene's text. mesh_files: a MeshFiles; None: meshes are in the text. Raises CameraError, ValueError or RuntimeError, whose text is for the user."""
+def export_text(context, options, evaluation, as_rt2, report, mesh_files=None, images=None):
+    """The scene's text. mesh_files: a MeshFiles; None: meshes are in the text. images: an Images. Raises CameraError, ValueError or RuntimeError, whose text is for the user."""
     scene = context.scene
     collection = collection_of(scene, options.collection) if as_rt2 else None
     chosen = scene.camera
@@ -29,6 +30,7 @@ def export_text(context, options, evaluation, as_rt2, report, mesh_files=None):
         if scene.camera is None:
             camera.read(None, scene, report)
         report_settings(scene, context.view_layer, report)  # the render below has some of them off
+        report_color_management(scene, report)
         crop = camera.border(scene.render)
         if crop:
             report.warn(f"scene '{scene.name}'", "a scene's text has no render region; its part is --crop {}x{}+{}+{}"
@@ -39,7 +41,7 @@ def export_text(context, options, evaluation, as_rt2, report, mesh_files=None):
             return with_depsgraph(context, evaluation, lambda depsgraph: rt2_text(RT2Scene(
                 depsgraph, options, report, bpy.data.materials.get, collection)))
         return with_depsgraph(context, evaluation, lambda depsgraph: glint_text(
-            depsgraph, options, report, bpy.data.materials.get, mesh_files))
+            depsgraph, options, report, bpy.data.materials.get, mesh_files, images))
     finally:
         if scene.camera != chosen:
             scene.camera = chosen
@@ -60,11 +62,17 @@ def mesh_files_of(path):
     return MeshFiles(folder, os.path.basename(folder))
 
 
+def images_of(path):
+    """The files of textures: in the folder NAME_textures beside NAME.glint."""
+    folder = os.path.splitext(path)[0] + "_textures"
+    return Images(folder, os.path.basename(folder))
+
+
 def export_file(context, path, options, evaluation="RENDER", as_rt2=False, has_mesh_files=False):
     """Writes one file, and with has_mesh_files those of its large meshes, and returns the Report."""
     report = Report()
     mesh_files = mesh_files_of(path) if has_mesh_files else None
-    write_text(path, export_text(context, options, evaluation, as_rt2, report, mesh_files))
+    write_text(path, export_text(context, options, evaluation, as_rt2, report, mesh_files, images_of(path)))
     return report
 
 
@@ -78,6 +86,7 @@ def export_animation(context, path, options, evaluation="RENDER", as_rt2=False, 
     """Writes NAME.0001.glint, ... for the scene's frames and NAME.sh, which renders them. Returns (Report, the paths)."""
     scene, report, paths = context.scene, Report(), []
     mesh_files = mesh_files_of(path) if has_mesh_files else None  # of all frames: a mesh that rests is written once
+    images = images_of(path)
     frame, subframe = scene.frame_current, scene.frame_subframe
     frames = range(scene.frame_start, scene.frame_end + 1, max(1, scene.frame_step))
     try:
@@ -85,7 +94,7 @@ def export_animation(context, path, options, evaluation="RENDER", as_rt2=False, 
             scene.frame_set(f)
             options = dataclasses.replace(options, **{name: getattr(scene.glint, name) for name in SCENE_SETTINGS})  # animated
             paths.append(frame_path(path, f))
-            write_text(paths[-1], export_text(context, options, evaluation, as_rt2, report, mesh_files))
+            write_text(paths[-1], export_text(context, options, evaluation, as_rt2, report, mesh_files, images))
     finally:
         scene.frame_set(frame, subframe=subframe)
     script = os.path.splitext(path)[0] + ".sh"

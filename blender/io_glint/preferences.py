@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The add-on's preferences: where the glint command is."""
+"""The add-on's preferences: where the glint command is, whether viewports can be drawn, and the documentation."""
+import os
+import pathlib
+
 import bpy
 from bpy.props import StringProperty
 
-from . import command
+from . import command, python_module
 from .labels import draw_sentence
 
 
@@ -30,7 +33,27 @@ class GlintPreferences(bpy.types.AddonPreferences):
         path = glint_path()
         draw_sentence(self.layout, f"Used: {path}" if path else "No glint: set its path, or install the zip that has it",
                       icon="CHECKMARK" if path else "ERROR")
-        self.layout.operator("glint.find")
+        _, fault = python_module.find()
+        draw_sentence(self.layout, f"Rendered viewports: {fault or 'by the Python package, which was found'}",
+                      icon="ERROR" if fault else "CHECKMARK")
+        row = self.layout.row()
+        row.operator("glint.find")
+        row.operator("glint.documentation", icon="HELP")
+
+
+DOCUMENTATION = os.path.join(os.path.dirname(os.path.abspath(__file__)), "documentation.html")
+
+
+class GLINT_OT_documentation(bpy.types.Operator):
+    bl_idname = "glint.documentation"
+    bl_label = "Documentation"
+    bl_description = "Show what the add-on does, in the web browser"
+
+    def execute(self, _context):
+        if not os.path.exists(DOCUMENTATION):
+            self.report({"ERROR"}, "Only the add-on's zip has its documentation: here it is docs/blender.md of glint's sources")
+            return {"CANCELLED"}
+        return bpy.ops.wm.url_open(url=pathlib.Path(DOCUMENTATION).as_uri())
 
 
 class GLINT_OT_find(bpy.types.Operator):
@@ -51,4 +74,4 @@ class GLINT_OT_find(bpy.types.Operator):
         return {"FINISHED"}
 
 
-classes = (GlintPreferences, GLINT_OT_find)
+classes = (GlintPreferences, GLINT_OT_documentation, GLINT_OT_find)

@@ -2,6 +2,7 @@
 """Renders the pictures of a viewport step by step: coarse at first, then at full size, then with all samples. Each step is short, so
 that Blender can ask for it in its main thread: threads of Python do not go well with Blender. Imports no bpy."""
 import math
+import re
 import time
 from dataclasses import dataclass, field
 
@@ -49,13 +50,18 @@ class World:
         self._written = written
 
     def _take_over(self, written, old):
-        if written.shapes is None or written.shapes != old.shapes:
+        if written.shapes is None or written.shapes != old.shapes or _textures_of(written.head) != _textures_of(old.head):
             return False
-        new, scene = self._glint.loads(written.head, written.format, name=written.name), self._scene
+        new, scene = self._glint.loads(_without_files(written.head), written.format, name=written.name), self._scene
         if [m.name for m in new.materials] != [m.name for m in scene.materials]:
             return False
         for i, made in enumerate(new.materials):
-            if made != scene.materials[i]:
+            here = scene.materials[i]
+            if made.texture is not None:
+                if here.texture is None or here.texture.name != made.texture.name:
+                    return False
+                made.texture = here.texture
+            if made != here:
                 scene.materials[i] = made
         scene.lights = list(new.lights)
         for name in ("background", "fog", "occlusion"):
@@ -80,6 +86,20 @@ class World:
         if wanted.alpha:
             rgba[..., 3] = image.layers["alpha"][::-1].reshape(rgba.shape[:2])
         return rgba
+
+
+_TEXTURE = re.compile(r"^texture .*$", re.MULTILINE)
+_FILE = re.compile(r'\bfile = "(?:[^"\\]|\\.)*"')
+
+
+def _textures_of(head):
+    """The blocks of a head's textures. Other texels have another file."""
+    return _TEXTURE.findall(head)
+
+
+def _without_files(head):
+    """A head whose textures are one texel each: no picture is read again."""
+    return _TEXTURE.sub(lambda found: _FILE.sub('texels = ("ffffff")', found[0]), head)
 
 
 class _TooLong(Exception):

@@ -28,6 +28,9 @@ class RENDER_PT_glint(_Panel, bpy.types.Panel):
     def poll(cls, context):
         return context.engine in cls.COMPAT_ENGINES
 
+    def draw_header_preset(self, _context):
+        self.layout.operator("glint.documentation", text="", icon="HELP", emboss=False)
+
     def draw(self, context):
         self.layout.use_property_split = True
         self.layout.prop(context.scene.glint, "picture")

@@ -10,8 +10,10 @@ import bpy
 import gpu
 from gpu_extras.presets import draw_texture_2d
 
+from . import viewport_message
 from .course_scene import collection_of
 from .export import camera, mesh
+from .export.images import Images
 from .export.mesh_file import MeshFiles
 from .export.report import Report
 from .export.rt2 import RT2Scene, rt2_text
@@ -30,6 +32,7 @@ class Viewport:
         self._engine, self.renderer, self._timer = weakref.ref(engine), ProgressiveRenderer(glint), self._refine
         self._folder = tempfile.TemporaryDirectory(prefix="glint-viewport-")  # pylint: disable=consider-using-with
         self._meshes, self._written, self._wanted = mesh.MeshCache(), None, None
+        self._images = Images(os.path.join(self._folder.name, "textures"), "textures")
         self._texture, self._is_changed = None, True  # is_changed: the renderer has more than the texture
         self._drawn_at, self._fault, self._settings = 0.0, "", None
         _open.add(self)
@@ -57,18 +60,22 @@ class Viewport:
         has_new_meshes = any(update.is_updated_geometry for update in depsgraph.updates)
         if has_new_meshes:
             self._meshes.clear()
+        for update in depsgraph.updates:
+            if isinstance(update.id, bpy.types.Image):
+                self._images.forget(update.id.name_full)
         # Not of the evaluated scene: Blender does not evaluate it again when these change.
         settings = depsgraph.scene.glint
         self._settings = _values_of(settings)
         name = os.path.join(self._folder.name, "viewport")
         if settings.picture == "RT2":
-            written = RT2Scene(depsgraph, settings.options(), Report(), bpy.data.materials.get, collection_of(depsgraph.scene))
+            written = RT2Scene(depsgraph, settings.options(), Report(), bpy.data.materials.get, collection_of(depsgraph.scene),
+                               self._images)
             self._written = SceneParts(rt2_text(written), None, "epfl", name + ".json", settings.rt2_settings())
         else:
             space = context.space_data
             written = SceneText(depsgraph, settings.options(), Report(), bpy.data.materials.get,
                                 mesh_files=MeshFiles(os.path.join(self._folder.name, "meshes"), "meshes"), view=_view_of(context),
-                                meshes=self._meshes, wanted=lambda item: _is_shown(item, space))
+                                meshes=self._meshes, wanted=lambda item: _is_shown(item, space), images=self._images)
             head, shapes = write_parts(written)
             self._written = SceneParts(head, shapes, "glint", name + ".glint")
             if has_new_meshes:  # else the cache has meshes that are hidden now, and their files
@@ -82,11 +89,14 @@ class Viewport:
         renderer, engine = self.renderer, self._engine()
         if self._fault or self._written is None:
             engine.update_stats("glint", self._fault)
+            viewport_message.draw(self._fault, region)
             return
         if self._ask(_view_of(context), (region.width, region.height), scene):
             renderer.step()
             self._is_changed = True
         engine.update_stats("glint", renderer.fault or ("" if renderer.is_final else "rendering"))
+        if renderer.fault:
+            viewport_message.draw(renderer.fault, region)
         if renderer.picture is None or renderer.fault:
             return
         if self._is_changed:

@@ -42,3 +42,17 @@ def mixed(node, value):
     if clamps:
         made = [_clamped(v) for v in made]
     return tuple(made) if like else made[0]
+
+
+def multiplied(node, constant):
+    """The two inputs whose product a Mix or MixRGB node makes; None if it makes something else.
+
+    constant: the value of a socket, or None where it differs from place to place."""
+    if node.type == "MIX_RGB":
+        factor, ends = node.inputs[0], node.inputs[1:3]
+    elif node.type == "MIX" and node.data_type == "RGBA":
+        by_identifier = {socket.identifier: socket for socket in node.inputs}
+        factor, ends = by_identifier["Factor_Float"], [by_identifier["A_Color"], by_identifier["B_Color"]]
+    else:
+        return None
+    return list(ends) if node.blend_type == "MULTIPLY" and constant(factor) == 1 else None

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Nothing in silence: the properties that have no effect in glint are reported where they are not at their defaults."""
 from .ignored_nodes import NODE_TABLES
+from .ignored_scene import SCENE_TABLES
 from .ignored_table import TABLES
 
-ALL_TABLES = {**TABLES, **NODE_TABLES}
+ALL_TABLES = {**TABLES, **SCENE_TABLES, **NODE_TABLES}
 
 
 def tables_of(bl_rna):
@@ -28,6 +29,8 @@ def is_default(struct, name, table):
     value, prop = getattr(struct, name), struct.bl_rna.properties[name]
     if name in table.initially_on.split():
         return value
+    if name in table.initially:
+        return value == table.initially[name]
     if prop.type == "POINTER":
         return value is None
     if prop.type == "COLLECTION":

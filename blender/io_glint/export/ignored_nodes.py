@@ -86,4 +86,13 @@ NODE_TABLES = {
     "ShaderNodeMixRGB": Table(
         read="blend_type use_clamp", irrelevant={"a shader's colors have no alpha": "use_alpha"}),
     "ShaderNodeMix": Table(read="blend_type data_type clamp_factor clamp_result factor_mode"),
+    "ShaderNodeTexImage": Table(
+        read="image projection extension interpolation texture_mapping color_mapping",
+        irrelevant={"a part of box projection, for which the mean is exported": "projection_blend",
+                    "which frame of a movie is shown, for which the mean is exported": "image_user"}),
+    "ShaderNodeUVMap": Table(read="uv_map from_instancer"),
+    "ShaderNodeTexCoord": Table(read="from_instancer", irrelevant={"of coordinates for which the mean is exported": "object"}),
+    "ShaderNodeMapping": Table(read="vector_type"),
+    "ShaderNodeVertexColor": Table(read="layer_name"),
+    "ShaderNodeAttribute": Table(read="attribute_type attribute_name"),
 }

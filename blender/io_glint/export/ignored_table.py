@@ -13,6 +13,7 @@ class Table(NamedTuple):
     irrelevant: dict = {}  # reason -> names; * at the end of a name stands for more
     nested: str = ""  # structs that are looked at too
     initially_on: str = ""  # what Blender turns on in new data, though their RNA says that it is off
+    initially: dict = {}  # name -> the value in new data, where their RNA has another
 
 
 BOOKS = "Blender's own records"

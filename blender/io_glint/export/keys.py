@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """glint's material keys as entries of a .glint file, and the properties glint_... that replace them."""
+from dataclasses import replace
+
 from . import phong
 
 PREFIX = "glint_"
 MAX_CHANNEL = 1e6
-COLORS = ("color", "ambient_color", "diffuse_color", "specular_color", "mirror_color", "transmission_color")
+COLORS = ("color", "ambient_color", "diffuse_color", "specular_color", "mirror_color", "transmission_color", "emission_color")
 NUMBERS = {  # least, greatest, default
     "ambient": (0.0, 1e6, 0.1),
     "diffuse": (0.0, 1e6, 0.8),
@@ -16,23 +18,52 @@ NUMBERS = {  # least, greatest, default
 }
 NAMES = ("color", "ambient", "diffuse", "specular", "shininess", "mirror", "transmission", "ior",
          "ambient_color", "diffuse_color", "specular_color", "mirror_color", "transmission_color")
+_ORDER = (*NAMES, "emission_color")  # the last is none of the panel's
 
 
 def of_phong(material, world):
     """The keys of a Phong material under a world of that radiance: a dictionary in the order of NAMES."""
+    own = material
+    if material.pattern is not None and not material.glows:  # a texture multiplies k_a, not k_e
+        own = replace(material, emission=phong.BLACK)
     keys = {
         "color": material.color,
-        "ambient_color": phong.ambient(material, world),
+        "ambient_color": phong.ambient(own, world),
         "diffuse_color": material.diffuse,
         "specular_color": material.specular,
         "shininess": material.shininess,
     }
+    if any(material.emission) and own is not material:
+        keys["emission_color"] = material.emission
+    if material.pattern is not None and material.pattern.layer is not None:
+        _make_multiples(keys, material.pattern.tint)
     if material.mirror:
         keys["mirror"], keys["mirror_color"] = material.mirror, material.mirror_color
     if material.transmission:
         keys["transmission"], keys["ior"] = material.transmission, material.ior
         keys["transmission_color"] = material.transmission_color
     return keys
+
+
+def _make_multiples(keys, tint):
+    """The colors of a mesh replace the material's: what they shall color must be multiples of it. The tint is in them. That of the
+    world's light must be in the ambient light: under_light()."""
+    keys["color"] = phong.WHITE
+    for name in ("ambient", "diffuse"):
+        keys[name] = max((k / t for k, t in zip(keys.pop(name + "_color"), tint) if t > 0), default=0.0)
+
+
+def under_light(keys, light):
+    """The same appearance under an ambient light of another color than white, for keys whose color is not that of a mesh's corners.
+
+    Where a texture multiplies k_a, k_a is divided by the light; else the light that k_a gives is emitted."""
+    out = dict(keys)
+    factor = out.pop("ambient", 0.1)
+    ambient = out.pop("ambient_color", tuple(factor * c for c in out.get("color", (0.8, 0.8, 0.8))))
+    if "texture" in out:
+        return {**out, "ambient_color": tuple(a / i if i > 0 else 0.0 for a, i in zip(ambient, light))}
+    emission = out.pop("emission_color", phong.BLACK)
+    return {**out, "ambient_color": phong.BLACK, "emission_color": tuple(a + e for a, e in zip(ambient, emission))}
 
 
 def of_course(material):
@@ -82,7 +113,7 @@ def replaced(keys, properties, report, item):
         if name + "_color" in given:
             out.pop(name, None)
     out.update(given)
-    return {name: out[name] for name in NAMES if name in out}
+    return {name: out[name] for name in _ORDER if name in out}
 
 
 def _checked(name, value):

@@ -14,7 +14,7 @@ def describe(ob):
     return f"light '{ob.name}'"
 
 
-def power(data, report, item):
+def power(data, report, item, images=None):
     """(color, energy): the light's, times its Emission node if it has nodes."""
     color, energy = tuple(data.color), data.energy
     if hasattr(data, "exposure"):  # from 4.5
@@ -22,7 +22,7 @@ def power(data, report, item):
     if getattr(data, "use_temperature", False):
         color = tuple(c * t for c, t in zip(color, data.temperature_color))
     if data.use_nodes and data.node_tree:
-        node, reader = nodes.surface_node(data.node_tree, report, item)
+        node, reader = nodes.surface_node(data.node_tree, report, item, images)
         if node is not None and node.type == "EMISSION":
             tint, strength = reader.emission(node)
             color, energy = tuple(a * b for a, b in zip(color, tint)), energy * strength
@@ -115,13 +115,13 @@ def ambient_block(radiance=(1.0, 1.0, 1.0)):
     return block("light", None, [("type", "ambient"), ("color", vector(radiance))])
 
 
-def light_text(ob, matrix, scale, samples, report):
+def light_text(ob, matrix, scale, samples, report, images=None):
     """The block of a light under a world matrix; None, with a report, for what glint has not.
 
     scale: what all powers are multiplied by. samples: n x n of a light with an extent."""
     data, item = ob.data, describe(ob)
     values = [v for row in matrix for v in row]
-    color, energy = power(data, report, item)
+    color, energy = power(data, report, item, images)
     if not all(math.isfinite(v) for v in (*values, *color, energy)):
         report.warn(item, "left out: it has numbers that are not finite")
         return None

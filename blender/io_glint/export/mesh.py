@@ -5,7 +5,7 @@ from array import array
 from functools import cached_property
 from itertools import chain, product
 
-from . import mesh_file
+from . import mesh_file, mesh_layers
 from .shapes import Outline, face_normal, recognise
 from .text import vector
 from .vectors import cross, dot, sub
@@ -36,8 +36,10 @@ class MeshData:
         mesh.calc_loop_triangles()
         self.raw_vertices = _read(mesh.vertices, "co", "f", 3)
         triangles = mesh.loop_triangles
-        self.raw_corners = _read(triangles, "vertices", "i", 3)
         self.raw_loops = _read(triangles, "loops", "i", 3)
+        self.loop_vertices = _read(mesh.loops, "vertex_index", "i", 1)
+        self.raw_corners = (_read(triangles, "vertices", "i", 3) if mesh_file.np is None  # which takes longer
+                            else mesh_file.taken(self.loop_vertices, self.raw_loops))
         self.areas = _read(triangles, "area", "f", 1)
         self.raw_face_normals = _read(triangles, "normal", "f", 3)
         self.slots = _read(triangles, "material_index", "i", 1)
@@ -48,12 +50,11 @@ class MeshData:
         self.smooth = _read(mesh.polygons, "use_smooth", "b", 1)
         self.starts = _read(mesh.polygons, "loop_start", "i", 1)
         self.totals = _read(mesh.polygons, "loop_total", "i", 1)
-        self.loop_vertices = _read(mesh.loops, "vertex_index", "i", 1)
-        self.files = None  # mesh_file.py
+        self.files = {}  # mesh_file.py
         self._box = self._outline = None
         self._recognised = {}
-        flat = self.raw_vertices
-        self.is_finite = not flat or (math.isfinite(sum(flat)) and max(flat) <= MAX_COORDINATE and min(flat) >= -MAX_COORDINATE)
+        sides = self._sides()
+        self.is_finite = all(math.isfinite(v) and abs(v) <= MAX_COORDINATE for side in sides for v in side)
 
     vertices = cached_property(lambda self: _triples(self.raw_vertices))
     corners = cached_property(lambda self: _triples(self.raw_corners))
@@ -70,9 +71,17 @@ class MeshData:
     def corners_of_bounds(self):
         """The eight corners of the box around the vertices."""
         if self._box is None:
-            sides = (self.raw_vertices[i::3] for i in range(3))
-            self._box = list(product(*((min(side), max(side)) for side in sides)))
+            self._box = list(product(*self._sides()))
         return self._box
+
+    def _sides(self):
+        """(least, greatest) along each axis; NaN if a coordinate is NaN."""
+        if not self.raw_vertices:
+            return []
+        if mesh_file.np is not None:
+            return mesh_file.sides(self.raw_vertices)
+        sides = [self.raw_vertices[i::3] for i in range(3)]
+        return [(math.nan, math.nan) if math.isnan(sum(side)) else (min(side), max(side)) for side in sides]
 
     def outline(self):
         """What the recognition of shapes looks at; vertices without faces are left out."""
@@ -119,12 +128,12 @@ class MeshCache:
     """The MeshData of evaluated objects, read once for each mesh, however often it is instanced; one for equal meshes."""
 
     def __init__(self):
-        self._found, self._equal = {}, {}
+        self._found, self._equal, self._layers = {}, {}, {}
 
     def clear(self):
         """To be called when an object has another mesh: Blender may put it where a mesh was that is gone."""
-        self._found.clear()
-        self._equal.clear()
+        for known in (self._found, self._equal, self._layers):
+            known.clear()
 
     def of(self, ob):
         """None for an object without faces."""
@@ -138,14 +147,23 @@ class MeshCache:
             self._found[key] = data
         return self._found[key]
 
+    def layers_of(self, ob, look):
+        """The Layers that a Look asks for, of an object with faces. They are no part of MeshData: equal meshes may differ in them."""
+        if ob.type != "MESH":
+            return _read_object(ob, lambda evaluated: mesh_layers.read(evaluated, look))
+        key = ob.data.as_pointer(), look
+        if key not in self._layers:
+            self._layers[key] = _read_object(ob, lambda evaluated: mesh_layers.read(evaluated, look))
+        return self._layers[key]
 
-def _read_object(ob):
+
+def _read_object(ob, read=MeshData):
     try:
         evaluated = ob.to_mesh()
     except RuntimeError:  # a curve that has no surface, for example
         return None
     try:
-        return MeshData(evaluated) if evaluated is not None and len(evaluated.polygons) else None
+        return read(evaluated) if evaluated is not None and len(evaluated.polygons) else None
     finally:
         ob.to_mesh_clear()
 
@@ -164,7 +182,7 @@ def cofactors(m):
     return rows, a * rows[0][0] + b * rows[0][1] + c * rows[0][2]
 
 
-class _Normals(dict):
+class Normals(dict):
     """Texts of world-space normals by their value in the object's space; empty for one without a direction."""
 
     def __init__(self, matrix):
@@ -185,14 +203,15 @@ class _Normals(dict):
         return text
 
 
-def triangle_lines(data, matrix):
+def triangle_lines(data, matrix, without=frozenset()):
     """(lines by slot, number of triangles left out): the mesh under a 4x4 world matrix as `triangle` blocks.
 
     Triangles without area and those with coordinates that glint cannot take are left out. Where the map mirrors, corners
-    are reversed, so that fronts stay outside. `normals` are written only where they differ from the face's."""
+    are reversed, so that fronts stay outside. `normals` are written only where they differ from the face's. without: slots whose
+    triangles are written otherwise."""
     world = transformed(matrix, data.vertices)
     texts = ["(%.7g,%.7g,%.7g)" % p for p in world]
-    normals = _Normals(matrix)
+    normals = Normals(matrix)
     _, det = cofactors(matrix)
     mirrors = det < 0
     careful = not data.is_finite or det == 0 or max(map(abs, chain.from_iterable(world)), default=0) > MAX_COORDINATE
@@ -200,7 +219,7 @@ def triangle_lines(data, matrix):
     corner_normals = data.normals
     for (a, b, c), (la, lb, lc), area, face, slot in zip(data.corners, data.loops, data.areas, data.face_normals,
                                                          data.slots):
-        if not area > 0 and not careful:
+        if not area > 0 and not careful or slot in without:
             continue
         if careful:
             points = world[a], world[b], world[c]

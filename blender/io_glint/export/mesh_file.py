@@ -3,6 +3,7 @@
 small meshes, mesh.py writes triangles into the text."""
 import hashlib
 import os
+from array import array
 
 try:
     import numpy as np
@@ -21,17 +22,18 @@ class MeshFiles:
     def __init__(self, folder, shown):
         self.folder, self.shown = folder, shown
 
-    def blocks_of(self, data, rows):
+    def blocks_of(self, data, rows, layers):
         """(slot, name of the file) for each material of a mesh, or None if it belongs into the text.
 
-        rows: the transform that it will have."""
+        rows: the transform that it will have. layers: slot -> its Layers, for those that have some."""
         if np is None or len(data) < MIN_TRIANGLES or not data.is_finite or not _is_usable(rows):
             return None
-        if data.files is None:
-            name = digest(data).hex()[:16]
-            data.files = [(slot, self._write(f"{name}_{slot}.ply" if slot else f"{name}.ply", content))
-                          for slot, content in ply_by_slot(data)]
-        return data.files
+        key = _digest_of_layers(layers)
+        if key not in data.files:
+            name = digest(data).hex()[:16] + key
+            data.files[key] = [(slot, self._write(f"{name}_{slot}.ply" if slot else f"{name}.ply", content))
+                               for slot, content in ply_by_slot(data, layers)]
+        return data.files[key]
 
     def _write(self, name, content):
         path = os.path.join(self.folder, name)
@@ -50,6 +52,17 @@ def _is_usable(rows):
     return bool(np.all(lengths > 0) and np.linalg.cond(matrix / lengths) < MAX_CONDITION)
 
 
+def taken(values, numbers):
+    """An array of the values with these numbers, both of int32."""
+    return array("i", np.frombuffer(values, np.int32)[np.frombuffer(numbers, np.int32)].tobytes())
+
+
+def sides(values):
+    """(least, greatest) of each coordinate; NaN if one is NaN."""
+    points = np.frombuffer(values, np.float32).reshape(-1, 3)
+    return list(zip(points.min(0).tolist(), points.max(0).tolist()))
+
+
 def digest(data):
     """A key of what a mesh looks like; None without numpy. Blender evaluates each copy of an object with a modifier by itself,
     and its threads give normals other last bits."""
@@ -60,6 +73,18 @@ def digest(data):
         key.update(values)
     key.update(np.round(np.frombuffer(data.raw_normals, np.float32) * 1000).astype(np.int16).tobytes())
     return key.digest()
+
+
+def _digest_of_layers(layers):
+    """Empty without layers."""
+    if not layers:
+        return ""
+    key = hashlib.blake2b(digest_size=4)
+    for slot, (uv, colors, _) in sorted(layers.items()):
+        key.update(f"{slot} {uv is None} {colors is None}".encode())
+        for values in (uv, colors):
+            key.update(values or b"")
+    return "_" + key.hexdigest()
 
 
 def may_be_a_shape(data):
@@ -74,8 +99,8 @@ def may_be_a_shape(data):
     return bool((((points - low) <= near) | ((high - points) <= near)).all(0).any())
 
 
-def ply_by_slot(data):
-    """(slot, bytes of a .ply) for each material slot that has triangles with an area."""
+def ply_by_slot(data, layers):
+    """(slot, bytes of a .ply) for each material slot that has triangles with an area. layers: slot -> its Layers."""
     vertices = np.frombuffer(data.raw_vertices, np.float32).reshape(-1, 3)
     corners = np.frombuffer(data.raw_corners, np.int32).reshape(-1, 3)
     loops = np.frombuffer(data.raw_loops, np.int32).reshape(-1, 3)
@@ -88,43 +113,79 @@ def ply_by_slot(data):
     is_flat = ((at_corners * faces[:, None, :]).sum(2) > 1 - 1e-6).all(1)
     for slot in np.unique(slots):
         chosen = has_area & (slots == slot)
-        if chosen.any():
-            yield int(slot), _ply(vertices, corners[chosen], at_corners[chosen], is_flat[chosen])
+        if not chosen.any():
+            continue
+        if chosen.all():
+            chosen = slice(None)  # copies nothing
+        names, columns = [], []  # what the corners have, besides a place
+        if not is_flat[chosen].all():
+            names += ["nx", "ny", "nz"]
+            columns.append(_normals_to_write(corners[chosen], at_corners[chosen], is_flat[chosen], len(vertices)))
+        for values, some in zip(layers.get(int(slot), (None, None, ""))[:2], (["s", "t"], ["red", "green", "blue"])):
+            if values is not None:
+                names += some
+                columns.append(np.frombuffer(values, np.float32).reshape(-1, len(some))[loops[chosen].reshape(-1)])
+        yield int(slot), _ply(vertices, corners[chosen], names, columns)
 
 
-def _ply(vertices, corners, at_corners, is_flat):
-    if is_flat.all():
+def _normals_to_write(corners, at_corners, is_flat, count):
+    """A normal for each corner: its own where all corners at a vertex have one, and else (0, 0, 0), which they can share, for those of
+    flat triangles."""
+    own, at = at_corners.reshape(-1, 3), corners.reshape(-1)
+    first = np.zeros((count, 3), np.float32)
+    first[at] = own
+    return own if np.array_equal(first[at], own) else np.where(is_flat[:, None, None], np.float32(0), at_corners).reshape(-1, 3)
+
+
+def _ply(vertices, corners, names, columns):
+    if not columns:
         used, numbers = _used(corners, len(vertices))
-        return _bytes(vertices[used], None, numbers)
-    wanted = np.where(is_flat[:, None, None], np.float32(0), at_corners).reshape(-1, 3)
-    flat_corners = corners.reshape(-1)
-    # A vertex for each pair of a place and a normal: the places alone, where each has one normal.
-    first = np.zeros((len(vertices), 3), np.float32)
-    first[flat_corners] = wanted
-    if np.array_equal(first[flat_corners], wanted):
-        used, numbers = _used(corners, len(vertices))
-        return _bytes(vertices[used], first[used], numbers)
-    pairs = np.empty(len(wanted), [("at", np.int32), ("n", np.void, 12)])
-    pairs["at"] = flat_corners
-    pairs["n"] = np.ascontiguousarray(wanted).view(np.dtype((np.void, 12))).reshape(-1)
-    keys = np.ascontiguousarray(pairs).view(np.dtype((np.void, 16))).reshape(-1)
+        return _bytes(vertices[used], names, numbers)
+    wanted = np.hstack(columns) if len(columns) > 1 else columns[0]
+    at = corners.reshape(-1)
+    # A vertex for each pair of a place and what its corners have: at most places, all corners have the same.
+    first = np.zeros((len(vertices), wanted.shape[1]), np.float32)
+    first[at] = wanted
+    is_split = np.zeros(len(vertices), bool)
+    for ours, theirs in zip(first[at].T, wanted.T):
+        is_split[at[ours != theirs]] = True
+    splits = is_split[at]
+    used, numbers = _used(at, len(vertices), is_split)
+    table = [np.hstack([vertices[used], first[used]])]
+    if splits.any():
+        some = wanted[splits]
+        index, new = _distinct(np.hstack([at[splits][:, None], np.ascontiguousarray(some).view(np.int32)]))
+        numbers[splits] = len(table[0]) + new
+        table.append(np.hstack([vertices[at[splits][index]], some[index]]))
+    return _bytes(np.concatenate(table), names, numbers.reshape(-1, 3))
+
+
+def _distinct(rows):
+    """(the numbers of rows that differ from all others of these, for each row which of them it is). Rows are compared by a hash,
+    which is much faster than by their numbers; should two rows have the same hash, they are compared by these."""
+    keys = np.zeros(len(rows), np.uint64)
+    for column in rows.T:
+        keys = (keys ^ column.astype(np.uint32)) * np.uint64(0x9E3779B97F4A7C15)
+        keys ^= keys >> np.uint64(29)
     _, index, numbers = np.unique(keys, return_index=True, return_inverse=True)
-    return _bytes(vertices[flat_corners[index]], wanted[index], numbers.reshape(-1, 3))
+    if not np.array_equal(rows[index][numbers], rows):
+        _, index, numbers = np.unique(rows, axis=0, return_index=True, return_inverse=True)
+    return index, numbers.reshape(-1)
 
 
-def _used(corners, count):
-    """(which of the vertices have a triangle, the corners' numbers among these)"""
+def _used(corners, count, without=False):
+    """(which of the vertices have a triangle and are not `without`, the corners' numbers among these)"""
     used = np.zeros(count, bool)
     used[corners] = True
+    used &= ~np.asarray(without)
     return used, (np.cumsum(used, dtype=np.int32) - 1)[corners]
 
 
-def _bytes(points, normals, triangles):
-    names = ["x", "y", "z"] + (["nx", "ny", "nz"] if normals is not None else [])
-    header = "".join(["ply\nformat binary_little_endian 1.0\n", f"element vertex {len(points)}\n",
-                      *(f"property float {name}\n" for name in names), f"element face {len(triangles)}\n",
+def _bytes(table, names, triangles):
+    """names: of the table's columns after x, y and z."""
+    header = "".join(["ply\nformat binary_little_endian 1.0\n", f"element vertex {len(table)}\n",
+                      *(f"property float {name}\n" for name in ("x", "y", "z", *names)), f"element face {len(triangles)}\n",
                       "property list uchar int vertex_indices\nend_header\n"])
-    table = points if normals is None else np.hstack([points, normals])
     faces = np.empty(len(triangles), [("count", "u1"), ("corners", "<i4", 3)])
     faces["count"], faces["corners"] = 3, triangles
     return header.encode() + table.astype("<f4").tobytes() + faces.tobytes()

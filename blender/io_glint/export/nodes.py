@@ -1,21 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
 """Shader nodes read by their type and by their sockets' names (3.4's first, 4.x's second)."""
-import array
+import dataclasses
 
-from . import blend, ignored, ignored_nodes, links, phong
+from . import blend, ignored, ignored_nodes, links, phong, texture_nodes
+from .images import Images
 from .report import Report
 
-MEAN_SAMPLES = 65536
 MAX_DEPTH = 32
 
 
-def surface_node(tree, report, item, outputs=("CYCLES", "ALL", "EEVEE")):
+def surface_node(tree, report, item, images=None, draws_patterns=False):
     """(node, NodeReader) of the surface of the material's (or world's, or light's) active output; the node is None without
-    one. What else is linked to the output is reported."""
+    one. What else is linked to the output is reported. draws_patterns: whether colors may differ from place to place."""
     output = None
-    for target in outputs:
+    for target in ("CYCLES", "ALL", "EEVEE"):
         output = output or tree.get_output_node(target)
-    reader = NodeReader(report, item)
+    reader = NodeReader(report, item, images=images or Images(), draws_patterns=draws_patterns)
     if output is None:
         return None, reader
     reader.check(output)
@@ -34,14 +34,21 @@ class NodeReader:
     """Reads the nodes of one item; what it cannot follow goes to the report. path: the group nodes around the nodes.
 
     known: what has been read already, and None for what is being read. Without it, chains of nodes whose inputs have a node in
-    common would take 2^n steps."""
+    common would take 2^n steps. reasons: why an image is its mean, by its node."""
 
-    def __init__(self, report, item, path=(), known=None):
-        self.report, self.item, self.path = report, item, path
+    def __init__(self, report, item, path=(), known=None, images=None, draws_patterns=False, reasons=None):
+        self.report, self.item, self.path, self.images, self.draws_patterns = report, item, path, images, draws_patterns
         self.known = {} if known is None else known
+        self.reasons = {} if reasons is None else reasons
 
-    def _at(self, path):
-        return NodeReader(self.report, self.item, path, self.known)
+    def at(self, path):
+        """A reader of nodes within other groups."""
+        return NodeReader(self.report, self.item, path, self.known, self.images, self.draws_patterns, self.reasons)
+
+    def in_silence(self):
+        """A reader whose report nobody reads, and that report."""
+        unknown = Report()
+        return NodeReader(unknown, self.item, self.path, None, self.images), unknown
 
     def _once(self, thing, kind, read):
         """What read() returns for a node or a socket, remembered; None where it asks for itself."""
@@ -54,7 +61,37 @@ class NodeReader:
     def linked(self, socket):
         """(node, its NodeReader) of what an input is linked to; the node is None without a link."""
         end, path = links.origin(socket, self.path)
-        return end.node if end.is_output else None, self._at(path)
+        return end.node if end.is_output else None, self.at(path)
+
+    def pattern(self, node, default, *names):
+        """The texture.Pattern of the first of these sockets, a color; without tint if it is the same everywhere."""
+        socket = _socket(node, *names)
+        found = texture_nodes.pattern(self, socket) if socket is not None and self.draws_patterns else None
+        return found if found is not None else phong.Pattern(self.value(node, default, *names))
+
+    def colored(self, pattern, make):
+        """make(color), a material whose diffuse part is a multiple of the color, for the color of a pattern."""
+        if not pattern.varies:
+            return make(pattern.tint)
+        made = phong.patterned(pattern, texture_nodes.mean(pattern, self.images), make)
+        if made.mirror or made.transmission or make(phong.WHITE).specular != make(phong.BLACK).specular:
+            self.report.warn(self.item, "what varies in its base color colors its diffuse light only: highlights, reflections and "
+                                        "glass have the mean color")
+        return made
+
+    def plain(self, material):
+        """A material without its pattern, whose mean color it has; reported."""
+        pattern = material.pattern
+        if pattern is None:
+            return material
+        self.report.warn(self.item, "what varies in its color is exported as its mean: two of its shaders have colors")
+        mean = texture_nodes.mean(pattern._replace(tint=phong.WHITE), self.images)
+        alpha = self.images.mean(pattern.image.image)[3] if pattern.image and pattern.image.alpha else 1.0
+        plain = dataclasses.replace(
+            material, pattern=None, glows=False, diffuse=tuple(d * m for d, m in zip(material.diffuse, mean)),
+            emission=tuple(e * m for e, m in zip(material.emission, mean)) if material.glows else material.emission,
+            color=tuple(c * m for c, m in zip(material.color, mean)))
+        return phong.with_alpha(plain, alpha)
 
     def value(self, node, default, *names):
         """A number or a color (three floats) of the first of these sockets."""
@@ -74,16 +111,19 @@ class NodeReader:
         if node.type in ("RGB", "VALUE"):
             made = _plain(end.default_value)
         elif node.type in ("MIX", "MIX_RGB") and depth < MAX_DEPTH:
-            inner = self._at(path)
+            inner = self.at(path)
             made = blend.mixed(node, lambda *one: inner._value(*one, depth + 1))
         elif node.type in ("TEX_IMAGE", "TEX_ENVIRONMENT"):
-            means = mean_pixel(node.image)
+            means = self.images.mean(node.image)
             if means is not None:
                 made, what = (means[3], "alpha") if end.name == "Alpha" else (means[:3], "color")
-                self.report.warn(self.item, f"the image at '{socket.name}' is exported as its mean {what}")
+                reason = self.reasons.get((node.as_pointer(), end.name))
+                self.report.warn(self.item, f"the image at '{socket.name}' is exported as its mean {what}" +
+                                 (f": {reason}" if reason else ""))
         if made is None:
+            reason = self.reasons.get((node.as_pointer(), end.name))
             self.report.warn(self.item, f"the {node.bl_label} node at '{socket.name}' cannot be exported; "
-                                        "the socket's own value is used")
+                                        "the socket's own value is used" + (f": {reason}" if reason else ""))
             made = _plain(socket.default_value)
         return _fit(made, like)
 
@@ -103,9 +143,14 @@ class NodeReader:
         """Whether an input is linked or, if it has idle values, has another one."""
         if not idle:
             return links.origin(socket, self.path)[0].is_output
-        unknown = Report()
-        value = NodeReader(unknown, self.item, self.path)._value(socket, _plain(socket.default_value))
-        return bool(unknown.warnings) or value not in idle
+        value = self.constant(socket)
+        return value is None or value not in idle
+
+    def constant(self, socket):
+        """The value of an input; None if it cannot be said."""
+        reader, unknown = self.in_silence()
+        value = reader._value(socket, _plain(socket.default_value))
+        return None if unknown.warnings else value
 
     def material(self, node, depth=0):
         """The node as Phong; None if it cannot be said."""
@@ -135,33 +180,6 @@ def _fit(value, like):
     return 0.2126 * value[0] + 0.7152 * value[1] + 0.0722 * value[2] if isinstance(value, tuple) else float(value)
 
 
-def _linear(c):
-    return c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4
-
-
-def mean_pixel(image):
-    """The mean linear color and the mean alpha of an image, four numbers, from evenly spaced pixels; None if it has none."""
-    if image is None or not image.has_data and not image.size[0]:
-        return None
-    count = image.size[0] * image.size[1]
-    if not count or not image.channels:
-        return None
-    pixels = array.array("f", bytes(4 * len(image.pixels)))
-    if not pixels:
-        return None
-    image.pixels.foreach_get(pixels)
-    step, n = max(1, count // MEAN_SAMPLES), image.channels
-    mean = []
-    for channel in range(min(n, 4)):
-        values = pixels[channel::n * step]
-        if channel < 3 and not image.is_float and image.colorspace_settings.name == "sRGB":
-            values = [_linear(v) for v in values]
-        mean.append(sum(values) / len(values))
-    if len(mean) < 3:
-        mean = [mean[0]] * 3
-    return (*mean[:3], mean[3] if len(mean) > 3 else 1.0)
-
-
 def _principled(r, node, _):
     emission = phong.BLACK
     strength = r.value(node, 1.0, "Emission Strength")
@@ -172,14 +190,14 @@ def _principled(r, node, _):
     transmission = r.value(node, 0.0, "Transmission", "Transmission Weight")
     if roughness and transmission * (1 - metallic):
         r.report.warn(r.item, "its roughness blurs nothing behind it: the glass is clear")
-    material = phong.principled(
-        r.value(node, (0.8,) * 3, "Base Color"), metallic, roughness, r.value(node, 0.5, "Specular", "Specular IOR Level"),
-        transmission, r.value(node, 1.45, "IOR"), emission)
-    return phong.with_alpha(material, r.value(node, 1.0, "Alpha"))
+    specular, ior = r.value(node, 0.5, "Specular", "Specular IOR Level"), r.value(node, 1.45, "IOR")
+    pattern, has_alpha = texture_nodes.with_alpha(r, r.pattern(node, (0.8,) * 3, "Base Color"), _socket(node, "Alpha"))
+    material = r.colored(pattern, lambda color: phong.principled(color, metallic, roughness, specular, transmission, ior, emission))
+    return material if has_alpha else phong.with_alpha(material, r.value(node, 1.0, "Alpha"))
 
 
 def _diffuse(r, node, _):
-    return phong.diffuse(r.value(node, (0.8,) * 3, "Color"))
+    return r.colored(r.pattern(node, (0.8,) * 3, "Color"), phong.diffuse)
 
 
 def _glossy(r, node, _):
@@ -196,7 +214,9 @@ def _transparent(r, node, _):
 
 
 def _emission(r, node, _):
-    return phong.emission(*r.emission(node))
+    pattern, strength = r.pattern(node, phong.WHITE, "Color"), r.value(node, 1.0, "Strength")
+    made = phong.emission(pattern.tint, strength)
+    return dataclasses.replace(made, pattern=pattern, glows=True) if pattern.varies else made
 
 
 def _part(r, socket, depth):
@@ -207,12 +227,24 @@ def _part(r, socket, depth):
 
 def _mix(r, node, depth):
     a, b = (_part(r, socket, depth) for socket in list(node.inputs)[1:3])
-    return None if a is None or b is None else phong.mix(a, b, r.value(node, 0.5, "Fac", "Factor"))
+    if a is None or b is None:
+        return None
+    if a == phong.transparent(phong.WHITE):  # as an image's alpha is drawn in older materials
+        pattern, has_alpha = texture_nodes.with_alpha(r, b.pattern or phong.Pattern(), _socket(node, "Fac", "Factor"))
+        if has_alpha:
+            return dataclasses.replace(b, pattern=pattern)
+    factor = r.value(node, 0.5, "Fac", "Factor")
+    return phong.mix(*_alike(r, a, b), factor)
 
 
 def _add(r, node, depth):
     a, b = (_part(r, socket, depth) for socket in list(node.inputs)[:2])
-    return None if a is None or b is None else phong.add(a, b)
+    return None if a is None or b is None else phong.add(*_alike(r, a, b))
+
+
+def _alike(r, a, b):
+    """Two materials of which numbers can be mixed."""
+    return (a, b) if phong.shares_pattern(a, b) else (r.plain(a), r.plain(b))
 
 
 _CONVERTERS = {

@@ -7,6 +7,8 @@ mirrors are sharp, so w fades them out, and half of what is lost comes back as b
 """
 from dataclasses import dataclass, fields, replace
 
+from .texture import Pattern
+
 WHITE, BLACK = (1.0, 1.0, 1.0), (0.0, 0.0, 0.0)
 MIN_MIRROR = 0.02
 
@@ -25,6 +27,14 @@ class Phong:
     transmission_color: tuple = WHITE
     ior: float = 1.0
     color: tuple = (0.8, 0.8, 0.8)  # what it is called: the base color
+    # What diffuse is to be multiplied by; its tint is in there already. glows: emission, too.
+    pattern: Pattern | None = None
+    glows: bool = False
+
+    @property
+    def is_black(self):
+        """Whether a pattern could not be seen."""
+        return not any(self.diffuse) and not any(self.emission)
 
 
 def _scaled(color, factor):
@@ -94,8 +104,21 @@ def _combine(a, b, number):
     values = {}
     for field in fields(Phong):
         x, y = getattr(a, field.name), getattr(b, field.name)
-        values[field.name] = tuple(map(number, x, y)) if isinstance(x, tuple) else number(x, y)
-    return Phong(**values)
+        if field.name not in ("pattern", "glows"):
+            values[field.name] = tuple(map(number, x, y)) if isinstance(x, tuple) else number(x, y)
+    owner = a if a.pattern else b
+    return Phong(**values, pattern=owner.pattern, glows=owner.glows)
+
+
+def shares_pattern(a, b):
+    """Whether mix() and add() of two materials keep what varies: one has a pattern, and the other nothing that it would color."""
+    return not (a.pattern or b.pattern) or (a.pattern is None and a.is_black) or (b.pattern is None and b.is_black)
+
+
+def patterned(pattern, mean, make):
+    """make(color), a material whose diffuse part is a multiple of the color, with a pattern; all else has its mean color."""
+    whole, white = make(mean), make(WHITE)
+    return replace(whole, diffuse=tuple(d * t for d, t in zip(white.diffuse, pattern.tint)), pattern=pattern, color=pattern.tint)
 
 
 def mix(a, b, factor):

@@ -5,6 +5,7 @@ import json
 import math
 
 from . import camera, light, measure, mesh, rt2_material, shapes, walk, world
+from .images import Images
 from .material import MaterialTable
 from .scene import override_of, report_no_lights, report_settings, shape_of, shape_setting
 from .shape_text import compose
@@ -113,7 +114,7 @@ class RT2Scene:
 
     object_indices, material_indices = (), ()  # Blender's pass indices: the passes have glint's own numbers
 
-    def __init__(self, depsgraph, options, report, find_material, collection=None):
+    def __init__(self, depsgraph, options, report, find_material, collection=None, images=None):
         self.depsgraph, self.options, self.report = depsgraph, options, report
         self.collection = collection
         self.order = {ob.as_pointer(): i for i, ob in enumerate(collection.all_objects)} if collection else None
@@ -121,8 +122,9 @@ class RT2Scene:
         self.camera_object = self._camera()
         self.view = camera.read(self.camera_object, self.scene, report)
         self.target = tuple(p + TARGET_DISTANCE * f for p, f in zip(self.view.position, self.view.forward))
-        table = MaterialTable(report, world.radiance(self.scene.world, report), find_material,
-                              override=override_of(depsgraph))
+        self.images = images or Images()  # of which RT2 has the means
+        table = MaterialTable(report, world.radiance(self.scene.world, report, self.images), find_material,
+                              override=override_of(depsgraph), images=self.images)
         self.materials = rt2_material.Materials(table, report)
         self.meshes = mesh.MeshCache()
         self.found = {"lights": [], "spheres": [], "planes": [], "cylinders": []}
@@ -194,7 +196,7 @@ class RT2Scene:
         elif data.shadow_soft_size > 0:
             self.report.warn(described, "RT2's lights are points: its radius is ignored")
         if self.options.light_color == "classical":
-            power = light.power(data, self.report, described)
+            power = light.power(data, self.report, described, self.images)
             squared = 1.0 if data.type == "SUN" else max(math.dist(position, self.target) ** 2, 1e-12)
             color = tuple(c * self.options.light_scale / squared for c in light.classical(data.type, *power))
             self.report.warn(described, "RT2's lights do not fall off: its intensity is that at the camera's target")

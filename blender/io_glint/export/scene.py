@@ -2,7 +2,8 @@
 """A depsgraph as the text of a .glint scene."""
 import gc
 
-from . import camera, ignored, light, material, measure, mesh, phong, shape_text, shapes, text, walk, world
+from . import camera, ignored, light, material, measure, mesh, mesh_text, phong, shape_text, shapes, text, walk, world
+from .images import Images
 
 MAX_REFLECTIONS = 12
 
@@ -37,6 +38,7 @@ class Stopped(Exception):
 
 class SceneText:
     """Writes one depsgraph. is_stopped: asked before each object. mesh_files: a MeshFiles; None: all meshes are in the text.
+    images: an Images; None: images are their mean colors.
     view: a View in place of the scene's camera; meshes: a MeshCache that is kept; wanted: whether an Item is asked for, in place
     of options.selection.
 
@@ -44,16 +46,17 @@ class SceneText:
     and material_indices the pass_index of each of the scene's materials."""
 
     def __init__(self, depsgraph, options, report, find_material, is_stopped=lambda: False, mesh_files=None,
-                 view=None, meshes=None, wanted=None):
+                 view=None, meshes=None, wanted=None, images=None):
         self.is_stopped, self.object_indices, self.mesh_files = is_stopped, [], mesh_files
         self._wanted = wanted or walk.is_in(options.selection)
         self.depsgraph, self.options, self.report = depsgraph, options, report
         self.scene = depsgraph.scene_eval if hasattr(depsgraph, "scene_eval") else depsgraph.scene
         self.view = view or camera.read(_evaluated(depsgraph.scene.camera, depsgraph), self.scene, report)
-        self.background = world.radiance(self.scene.world, report)
+        self.images = images or Images()
+        self.background = world.radiance(self.scene.world, report, self.images)
         # The world lights surfaces by k_a, or by the block occlusion.
         ambient = phong.BLACK if options.occlusion else self.background
-        self.table = material.MaterialTable(report, ambient, find_material, options.shading, override_of(depsgraph))
+        self.table = material.MaterialTable(report, ambient, find_material, options.shading, override_of(depsgraph), self.images)
         self._meshes, self._lights, self._chunks = meshes or mesh.MeshCache(), [], []
 
     def parts(self):
@@ -63,7 +66,7 @@ class SceneText:
                 raise Stopped
             if item.ob.type == "LIGHT":
                 block = light.light_text(item.ob, item.matrix, self.options.light_scale, self.options.light_samples,
-                                         self.report)
+                                         self.report, self.images)
                 if block:
                     self._lights.append(block)
             else:
@@ -73,7 +76,7 @@ class SceneText:
             report_no_lights(self.scene, self.report)
         sky = list(self._sky())
         if self.table.has_ambient:
-            self._lights.insert(0, light.ambient_block())
+            self._lights.insert(0, light.ambient_block(self.table.ambient_light))
         head = [*self._head(), *sky, *self._lights, "", *self.table.blocks(), ""]
         return "\n".join(head) + "\n", "\n".join(self._chunks) + "\n"
 
@@ -82,8 +85,9 @@ class SceneText:
         yield text.comment(f"{self.scene.name}, frame {self.scene.frame_current}: exported from Blender")
         for warning in self.report.warnings:
             yield text.comment(warning)
+        transparency = "  transparency = blend" if self.table.has_transparent_texture else ""
         yield (f"conventions {{ facing = {options.facing}  fresnel = {options.fresnel}  "
-               f"glass_shadow = {options.glass_shadow}  clamp_attenuation = false }}")
+               f"glass_shadow = {options.glass_shadow}  clamp_attenuation = false{transparency} }}")
         aa = options.samples if options.samples.isdigit() else text.string(options.samples)
         alpha = "  alpha = true" if self.scene.render.film_transparent else ""
         yield (f"render {{ size = {width} x {height}  shading = {options.shading}  "
@@ -101,7 +105,8 @@ class SceneText:
         if self.options.reflections >= 0:
             return self.options.reflections
         cycles = getattr(self.scene, "cycles", None)
-        return min(MAX_REFLECTIONS, getattr(cycles, "max_bounces", MAX_REFLECTIONS))
+        least = int(self.table.has_transparent_texture)  # with 0, glint shows nothing behind them
+        return max(least, min(MAX_REFLECTIONS, getattr(cycles, "max_bounces", MAX_REFLECTIONS)))
 
     def _add_object(self, item):
         data = self._meshes.of(item.ob)
@@ -114,6 +119,12 @@ class SceneText:
         if self._is_clipped(data, rows):
             self.report.warn(item.described, "a part that the camera's clipping cuts off in Blender is visible in glint")
         names = material.slot_names(self.table, item.ob, item.holder, item.described)
+        looks = {slot: look for slot in data.used_slots() if (look := self.table.look_of(material.name_of(names, slot)))}
+        if looks and shape_setting(item.ob) in ("AUTO", "MESH"):
+            self._add_mesh(item, data, rows, names, self._layers(item, looks))
+            return
+        if looks:
+            names = material.slot_names(self.table, item.ob, item.holder, item.described, is_plain=True)
         recognise = self.options.recognise and not walk.deforms(item.ob)
         has_inverse = mesh.cofactors(rows)[1] != 0
         found = shape_of(item.ob, data, self.report, item.described, recognise) if has_inverse else None
@@ -123,7 +134,15 @@ class SceneText:
             full = shape_text.compose(rows, inner) if inner else rows
             self._add_shapes(item, shape_text.shape_block(shape, item.name, text.string(name), full), 1)
             return
-        self._add_mesh(item, data, rows, names)
+        self._add_mesh(item, data, rows, names, {})
+
+    def _layers(self, item, looks):
+        """slot -> Layers"""
+        found = {slot: self._meshes.layers_of(item.ob, look) for slot, look in looks.items()}
+        for layers in found.values():
+            if layers.fault:
+                self.report.warn(item.described, layers.fault)
+        return found
 
     def _is_clipped(self, data, rows):
         if not data.is_finite:
@@ -134,21 +153,28 @@ class SceneText:
             return False
         return self.view.clips(mesh.transformed(rows, data.vertices))
 
-    def _add_mesh(self, item, data, rows, names):
-        corners = mesh.polygon_vertices(data, rows)
+    def _add_mesh(self, item, data, rows, names, layers):
+        corners = mesh.polygon_vertices(data, rows) if not layers else None
         if corners:
             name = material.name_of(names, data.slots[0])
             entries = [("vertices", f"({', '.join(corners)})"), ("material", text.string(name))]
             self._add_shapes(item, text.block("polygon", item.name, entries), 1)
             return
-        files = self.mesh_files.blocks_of(data, rows) if self.mesh_files is not None else None
+        files = self.mesh_files.blocks_of(data, rows, layers) if self.mesh_files is not None else None
         if files is not None:
             for slot, file in files:
                 entries = [("file", text.string(file)), ("material", text.string(material.name_of(names, slot))),
                            ("matrix", text.matrix(rows))]
                 self._add_shapes(item, text.block("mesh", item.name, entries), 1)
             return
-        lines, dropped = mesh.triangle_lines(data, rows)
+        blocks, dropped = [], 0
+        if layers:
+            named = {slot: (material.name_of(names, slot), one) for slot, one in layers.items()}
+            blocks, dropped = mesh_text.mesh_blocks(data, rows, named, item.name)
+            for block in blocks:
+                self._add_shapes(item, block, 1)
+        lines, more = mesh.triangle_lines(data, rows, frozenset(layers)) if len(layers) < len(data.used_slots()) else ({}, 0)
+        dropped += more
         if dropped:
             self.report.warn(item.described, f"{dropped} triangles are left out: their coordinates are not finite or "
                                              "beyond 1e12")
@@ -178,12 +204,15 @@ def override_of(depsgraph):
 
 
 def report_settings(scene, view_layer, report):
-    """Reports what has no effect of the render settings and the view layer."""
-    item = f"scene '{scene.name}'"
-    for struct in (scene.render, getattr(scene, "cycles", None)):
-        if struct is not None:
-            ignored.report(struct, item, report)
+    """Reports what has no effect of the scene's settings and the view layer."""
+    ignored.report(scene, f"scene '{scene.name}'", report)
     ignored.report(view_layer, f"view layer '{view_layer.name}'", report)
+
+
+def report_color_management(scene, report):
+    """Reports what Blender does to F12's picture, but nobody to that of a text."""
+    for struct in (scene.view_settings, scene.display_settings):
+        ignored.report(struct, f"scene '{scene.name}'", report)
 
 
 def report_no_lights(scene, report):
@@ -206,6 +235,6 @@ def write_parts(scene_text):
             gc.enable()
 
 
-def glint_text(depsgraph, options, report, find_material, mesh_files=None):
+def glint_text(depsgraph, options, report, find_material, mesh_files=None, images=None):
     """The scene's text. Raises camera.CameraError without a camera that glint could take."""
-    return write(SceneText(depsgraph, options, report, find_material, mesh_files=mesh_files))
+    return write(SceneText(depsgraph, options, report, find_material, mesh_files=mesh_files, images=images))

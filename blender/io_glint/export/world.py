@@ -7,7 +7,7 @@ from .text import block, number, vector
 OCCLUSION_SAMPLES = 16  # for each sample of a pixel
 
 
-def radiance(world, report):
+def radiance(world, report, images=None):
     """Three floats, linear; black without a world."""
     if world is None:
         return BLACK
@@ -15,7 +15,7 @@ def radiance(world, report):
     ignored.report(world, item, report)
     if not world.use_nodes or world.node_tree is None:
         return tuple(world.color)
-    node, reader = nodes.surface_node(world.node_tree, report, item)
+    node, reader = nodes.surface_node(world.node_tree, report, item, images)
     if node is None:
         return BLACK
     if node.type in ("BACKGROUND", "EMISSION"):

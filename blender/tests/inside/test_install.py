@@ -1,13 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0
 """The add-on from its zip: enabled, disabled and enabled again, it leaves nothing behind."""
+import pathlib
+import unittest.mock
+import urllib.parse
+
 import io_glint
 import bpy
+from io_glint import preferences
 from support import SceneTest
 
 
 class Install(SceneTest):
     def test_it_is_the_one_of_the_zip(self):
         self.assertIn("scripts/addons/io_glint", io_glint.__file__)
+
+    def test_the_documentation_of_the_zip_is_shown(self):
+        with unittest.mock.patch("webbrowser.open") as show:
+            self.assertEqual(bpy.ops.glint.documentation(), {"FINISHED"})
+        (url,) = show.call_args[0]
+        path = pathlib.Path(urllib.parse.unquote(urllib.parse.urlparse(url).path))
+        self.assertIn("<h1", path.read_text(encoding="utf-8"))
+        with unittest.mock.patch.object(preferences, "DOCUMENTATION", "/nowhere"), self.assertRaisesRegex(RuntimeError, "zip"):
+            bpy.ops.glint.documentation()
 
     def traces(self):
         return [hasattr(bpy.types, "EXPORT_SCENE_OT_rt2"), hasattr(bpy.types.Scene, "glint"),

@@ -3,38 +3,16 @@
 import math
 
 import bpy
-from io_glint import exr
+from against_cycles import CyclesTest
 from support import SceneTest
 
 
-class AgainstCycles(SceneTest):
+class AgainstCycles(CyclesTest):
     def setUp(self):
         super().setUp()
         self.scene.render.resolution_x = self.scene.render.resolution_y = 24
         self.camera(location=(0, -0.01, 6), target=(0, 0, 0))
         self.plane = self.add("plane", size=30, material=self.lambert("grey", (0.5, 0.4, 0.3)))
-
-    def lambert(self, name, color):
-        material = bpy.data.materials.new(name)
-        material.use_nodes = True
-        tree = material.node_tree
-        tree.nodes.clear()
-        node, output = tree.nodes.new("ShaderNodeBsdfDiffuse"), tree.nodes.new("ShaderNodeOutputMaterial")
-        node.inputs["Color"].default_value = (*color, 1)
-        tree.links.new(node.outputs[0], output.inputs["Surface"])
-        return material
-
-    def cycles(self, samples):
-        render = self.scene.render
-        render.engine = "CYCLES"
-        cycles = self.scene.cycles
-        cycles.device, cycles.samples, cycles.use_denoising, cycles.max_bounces = "CPU", samples, False, 0
-        cycles.pixel_filter_type = "BOX"
-        settings = render.image_settings
-        settings.file_format, settings.color_depth, settings.exr_codec, settings.color_mode = "OPEN_EXR", "32", "ZIP", "RGB"
-        render.filepath = self.path("cycles.exr")
-        bpy.ops.render.render(write_still=True)
-        return exr.read(render.filepath)[0]
 
     def check_ratio(self, tolerance=0.02, samples=16):
         self.export()
@@ -59,15 +37,6 @@ class AgainstCycles(SceneTest):
     def test_sun(self):
         self.lamp("SUN", 2.5, color=(1, 0.9, 0.5), rotation=(0.5, 0.3, 0.7), angle=0)
         self.check_ratio()
-
-    def differences(self, samples=64):
-        """(root mean square, largest) over the picture, which has parts without light."""
-        self.export()
-        ours = self.layers("background", aa=3)["beauty"]
-        theirs = self.cycles(samples)
-        all_of_them = [abs(x - y) for channel in "RGB" for x, y in zip(ours.channels[channel], theirs.channels[channel])]
-        self.assertGreater(max(theirs.channels["R"]), 0.1)
-        return math.sqrt(sum(d * d for d in all_of_them) / len(all_of_them)), max(all_of_them)
 
     def test_spot(self):
         self.lamp("SPOT", 300, (0.5, 0.3, 2.5), (1, 0.7, 0.5), rotation=(0.2, 0.1, 0), spot_size=math.radians(50), spot_blend=0.3,

@@ -68,19 +68,19 @@ class Materials(SceneTest):
             image.pixels[:] = pixels
             material = self.material(f"leaf {transmission}")
             texture = material.node_tree.nodes.new("ShaderNodeTexImage")
-            texture.image = image
+            texture.image, texture.projection = image, "BOX"
             material.node_tree.links.new(texture.outputs["Alpha"], material.node_tree.nodes["Principled BSDF"].inputs["Alpha"])
             self.add("cube", material=material)
             found = self.keys(material.name).get("transmission")
             self.assertEqual(found and float(found), transmission)
             self.assertTrue(any("mean alpha" in w for w in self.warnings))
 
-    def test_an_image_is_its_mean(self):
+    def test_an_image_in_a_projection_is_its_mean(self):
         image = bpy.data.images.new("picture", 2, 2, float_buffer=True)
         image.pixels[:] = [1, 0, 0, 1, 0, 1, 0, 1, 1, 1, 0, 1, 0, 0, 0, 1]
         material = self.material("textured")
         texture = material.node_tree.nodes.new("ShaderNodeTexImage")
-        texture.image = image
+        texture.image, texture.projection = image, "SPHERE"
         material.node_tree.links.new(texture.outputs["Color"], material.node_tree.nodes["Principled BSDF"].inputs["Base Color"])
         self.add("cube", material=material)
         self.assertEqual(self.keys("textured")["color"], "(0.5, 0.5, 0)")

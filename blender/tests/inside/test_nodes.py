@@ -187,7 +187,7 @@ class Links(SceneTest):
         image.pixels[:] = [1.0] * 16
         mix, texture = self.tree.nodes.new("ShaderNodeMixRGB"), self.tree.nodes.new("ShaderNodeTexImage")
         texture.image = image
-        mix.blend_type, mix.inputs[0].default_value, mix.inputs[2].default_value = "MULTIPLY", 1, RED
+        mix.blend_type, mix.inputs[0].default_value, mix.inputs[2].default_value = "DARKEN", 1, RED
         self.connect(texture.outputs["Color"], mix.inputs[1])
         self.connect(mix.outputs[0], self.principled.inputs["Base Color"])
         self.assertEqual(self.color(), RED[:3])

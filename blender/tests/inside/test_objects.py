@@ -241,6 +241,16 @@ class Shapes(SceneTest):
         ball.shape_key_add(name="Key").data[0].co.z = 3
         self.assertEqual(self.shape_word(ball), "group")
 
+    def test_the_background_set_is_rendered(self):
+        other = bpy.data.scenes.new("set")
+        self.add("cube", name="Prop")
+        prop = bpy.context.object
+        self.scene.collection.objects.unlink(prop)
+        other.collection.objects.link(prop)
+        self.assertNotIn('"Prop"', self.export())
+        self.scene.background_set = other
+        self.assertIn('box "Prop"', self.export())
+
     def test_auto_smooth_that_splits_normals_is_not_a_sphere(self):
         ball = self.add("uv_sphere", name="thing", smooth=True)
         ball.data.use_auto_smooth, ball.data.auto_smooth_angle = True, math.radians(1)

@@ -31,8 +31,9 @@ class Tables(SceneTest):
 
     def structs(self):
         cube = self.add("cube")
-        found = [self.scene.render, self.scene.cycles, bpy.context.view_layer, bpy.data.worlds.new("world"),
-                 bpy.data.materials.new("m"), cube, self.camera().data]
+        found = [self.scene, self.scene.view_settings, self.scene.display_settings, bpy.context.view_layer,
+                 bpy.context.view_layer.layer_collection, bpy.data.collections.new("c"), bpy.data.images.new("i", 1, 1),
+                 bpy.data.worlds.new("world"), bpy.data.materials.new("m"), cube, cube.data, self.camera().data]
         found += [self.lamp(kind).data for kind in LIGHTS]
         found += self.nodes()
         for struct in found:
@@ -51,7 +52,9 @@ class Tables(SceneTest):
                                                             *table.irrelevant.values()) for name in names.split()}
             unknown += [f"{kind}.{prop.identifier}" for prop in struct.bl_rna.properties if prop.identifier != "rna_type"
                         and not any(fnmatch.fnmatchcase(prop.identifier, name) for name in known)]
-        self.assertGreater(len(checked), 30)
+        self.assertGreater(len(checked), 45)
+        self.assertLessEqual({"Scene", "SceneEEVEE", "RenderSettings", "CyclesRenderSettings", "Object", "Mesh", "Image", "Material",
+                              "World", "Camera", "ViewLayer", "SunLight"}, checked)
         self.assertEqual(unknown, [])
 
     def test_every_socket_is_read_or_warned_of_or_irrelevant_for_a_reason(self):
@@ -230,6 +233,24 @@ class Named(SceneTest):
         for words in ("right eye", "Freestyle", "motion blur", "filter size", "'Exposure'", "'Transparent Glass'"):
             self.assert_named("scene 'Scene'", words)
         self.assert_named("scene 'Scene'", times=6)
+
+    def test_settings_of_eevee(self):
+        eevee = self.scene.eevee
+        for name, words in (("use_bloom", "'Bloom'"), ("use_motion_blur", "'Motion Blur'"), ("use_gtao", "ambient occlusion")):
+            if hasattr(eevee, name):  # to 4.1
+                setattr(eevee, name, True)
+                self.assert_named("scene 'Scene'", "Eevee's", words)
+
+    def test_the_color_management_of_exports(self):
+        """F12's picture has it, and its reports do not name it."""
+        settings = self.scene.view_settings
+        settings.exposure, settings.gamma, settings.use_curve_mapping = 1, 2, True
+        settings.view_transform, settings.look = "Filmic", "High Contrast"
+        for words in ("'Exposure'", "'Gamma'", "'Look'", "'Use Curves'"):
+            self.assert_named("scene 'Scene'", words, "color management")
+        self.use_engine()
+        self.picture()
+        self.assertEqual([text for _, text in warnings_panel.kept() if "color management" in text], [])
 
     def test_the_right_eye_of_a_render(self):
         render = self.scene.render

@@ -2,12 +2,15 @@
 """The viewport's renderer, without a window: its pictures, its steps, and what it reads again."""
 import math
 import time
+import unittest.mock
 
 import bpy
 from io_glint import progressive_renderer, python_module
-from io_glint.export import camera, options, report, scene
+from io_glint.export import camera, images, options, report, scene
 from mathutils import Matrix
 from support import SceneTest
+
+CONTENT, MEAN_PIXEL = images.content, images.mean_pixel
 
 
 def frustum(left, right, bottom, top, near, far):
@@ -52,10 +55,10 @@ class Pictures(SceneTest):
         self.floor = self.add("plane", size=20)
         self.renderer = progressive_renderer.ProgressiveRenderer(self.glint)
 
-    def wanted(self, aa="1", size=(48, 32), meshes=None):
+    def wanted(self, aa="1", size=(48, 32), meshes=None, kept_images=None):
         bpy.context.view_layer.update()
         text = scene.SceneText(bpy.context.evaluated_depsgraph_get(), options.Options(), report.Report(), bpy.data.materials.get,
-                               meshes=meshes)
+                               meshes=meshes, images=kept_images)
         head, shapes = scene.write_parts(text)
         written = progressive_renderer.SceneParts(head, shapes, "glint", self.path("viewport.glint"))
         return progressive_renderer.ViewRequest(written, camera.camera_block(text.view), size, aa, False)
@@ -148,3 +151,49 @@ class Pictures(SceneTest):
         self.ball.data.update()
         meshes.clear()
         self.assertTrue((self.picture(self.wanted(meshes=meshes))[..., :3] == self.rendered(1)).all())
+
+    def use_image(self, material):
+        image, tree = bpy.data.images.new("grain", 256, 256), material.node_tree
+        image.pixels[:] = [((i * 7919) % 101) / 101 for i in range(4 * 256 * 256)]
+        node = tree.nodes.new("ShaderNodeTexImage")
+        node.image = image
+        tree.links.new(node.outputs["Color"], tree.nodes["Principled BSDF"].inputs["Base Color"])
+        tree.links.new(node.outputs["Alpha"], tree.nodes["Principled BSDF"].inputs["Roughness"])  # its mean
+        return image
+
+    def test_images_are_read_once(self):
+        image = self.use_image(self.red)
+        kept = images.Images(self.path("textures"), "textures")
+
+        def check(reads, loads):
+            found = self.picture(self.wanted(kept_images=kept))
+            self.assertTrue((found[..., :3] == self.rendered(1)).all())
+            self.assertEqual((content.call_count, mean.call_count, self.renderer.loads), (reads, reads, loads))
+            return found
+
+        with unittest.mock.patch.object(images, "content", wraps=images.content) as content, \
+                unittest.mock.patch.object(images, "mean_pixel", wraps=images.mean_pixel) as mean, \
+                unittest.mock.patch.object(self, "rendered", self.rendered_apart):
+            before = check(1, 1)
+            for energy in (900, 100):
+                self.key.data.energy = energy
+                check(1, 1)
+            self.red.node_tree.nodes["Principled BSDF"].inputs["Specular"].default_value = 0
+            check(1, 1)
+            image.pixels[:] = [0.5] * len(image.pixels)
+            kept.forget(image.name_full)
+            self.assertGreater(abs(check(2, 2) - before).max(), 0.05)
+
+    def rendered_apart(self, aa):
+        """What the exported scene gives, written by a process whose reads of images are not counted."""
+        with unittest.mock.patch.object(images, "content", CONTENT), unittest.mock.patch.object(images, "mean_pixel", MEAN_PIXEL):
+            return Pictures.rendered(self, aa)
+
+    def test_a_change_of_what_an_image_does_is_followed(self):
+        self.use_image(self.red)
+        kept = images.Images(self.path("textures"), "textures")
+        self.picture(self.wanted(kept_images=kept))
+        node = next(node for node in self.red.node_tree.nodes if node.type == "TEX_IMAGE")
+        for change in (("interpolation", "Closest"), ("extension", "CLIP"), ("mute", True)):
+            setattr(node, *change)
+            self.assertTrue((self.picture(self.wanted(kept_images=kept))[..., :3] == self.rendered(1)).all(), change)

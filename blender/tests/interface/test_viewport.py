@@ -2,9 +2,11 @@
 """Rendered mode: the viewport shows what F12 shows, follows edits, and comes soon."""
 import os
 import statistics
+import sys
 import tempfile
 import time
 import unittest
+import unittest.mock
 import weakref
 
 import bpy
@@ -113,6 +115,32 @@ class RenderedMode(unittest.TestCase):
         self.assertGreater(self.difference(before, self.screenshot()), 0.003)
         cube.location.x -= 2
 
+    def test_images_are_read_when_they_change(self):
+        from io_glint.export import images  # pylint: disable=import-outside-toplevel
+        cube = next(ob for ob in self.scene.objects if ob.type == "MESH")
+        material, image = bpy.data.materials.new("image"), bpy.data.images.new("image", 64, 64)
+        material.use_nodes = True
+        tree = material.node_tree
+        node = tree.nodes.new("ShaderNodeTexImage")
+        node.image = image
+        tree.links.new(node.outputs["Color"], tree.nodes["Principled BSDF"].inputs["Base Color"])
+        old, cube.material_slots[0].material = cube.material_slots[0].material, material
+        self.addCleanup(setattr, cube.material_slots[0], "material", old)
+        lamp = next(ob for ob in self.scene.objects if ob.type == "LIGHT")
+        with unittest.mock.patch.object(images, "content", wraps=images.content) as content:
+            self.wait()
+            dark, loads = self.screenshot(), self.viewport().renderer.loads
+            lamp.data.energy += 10
+            self.wait()
+            lamp.data.energy -= 10
+            self.wait()
+            self.assertEqual((content.call_count, self.viewport().renderer.loads), (1, loads))
+            image.pixels[:] = [1.0] * len(image.pixels)
+            image.update_tag()  # as after a stroke of painting
+            self.wait()
+            self.assertEqual(content.call_count, 2)
+        self.assertGreater(self.difference(dark, self.screenshot()), 0.01)
+
     def test_orbits_are_followed(self):
         self.space.region_3d.view_perspective, self.space.region_3d.view_distance = "PERSP", 6
         self.wait()
@@ -152,6 +180,30 @@ class RenderedMode(unittest.TestCase):
             ball.hide_set(is_hidden)
             self.wait()
         self.assertLess(self.difference(before, self.screenshot()), 1e-3)
+
+    def test_without_the_package_the_viewport_says_what_to_install(self):
+        from io_glint import python_module, viewport_message  # pylint: disable=import-outside-toplevel
+        self.space.shading.type = "SOLID"
+        self.redraw()
+        drawn = []
+        real = viewport_message.blf.draw
+        with unittest.mock.patch.dict(sys.modules, {"glint": None}), \
+                unittest.mock.patch.object(viewport_message.blf, "draw", lambda font, line: (drawn.append(line), real(font, line))):
+            fault = python_module.find()[1]
+            self.space.shading.type = "RENDERED"
+            self.redraw()
+            shown = self.screenshot()
+            bpy.ops.object.select_all(action="INVERT")
+            self.redraw()  # edits go on
+        self.assertEqual(" ".join(drawn[:len(drawn) // 2]), fault)
+        for words in ("is not installed", "F12", "Install", "-m pip install"):
+            self.assertIn(words, fault)
+        yellow = sum(r - b > 0.1 for r, b in zip(shown[2][0::4], shown[2][2::4]))
+        self.assertGreater(yellow, 500)
+        self.space.shading.type = "SOLID"
+        self.redraw()
+        self.space.shading.type = "RENDERED"
+        self.wait()  # and it works when the package is there
 
     def test_an_error_is_shown_and_ends(self):
         self.scene.glint.picture, camera = "RT2", self.scene.camera

@@ -104,7 +104,7 @@ class Package(unittest.TestCase):
 
     def test_no_module_needs_numpy_or_its_own_name(self):
         for path in ADDON.rglob("*.py"):
-            if path.name == "mesh_file.py":
+            if path.name in ("mesh_file.py", "png.py"):
                 self.assertIn("try:\n    import numpy as np\nexcept ImportError:", path.read_text(encoding="utf-8"))
             elif path.name != "progressive_renderer.py":  # it has glint's Python package, which needs numpy
                 self.assertNotIn("numpy", self.imports(path), path)
