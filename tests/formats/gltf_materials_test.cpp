@@ -118,8 +118,8 @@ TEST(GltfMaterials, ColorsOfVerticesAreMultipliedByTheFactor) {
 
 TEST(GltfMaterials, HighlightsTakeTheColorsOfVerticesOnlyOfMetals) {
     const auto red = [](const std::string& metallic) {
-        GltfText file = gltf_square(R"({"pbrMetallicRoughness": {"roughnessFactor": 0.5, "metallicFactor": )" +
-                                    metallic + "}}");
+        GltfText file = gltf_square(
+            R"({"pbrMetallicRoughness": {"roughnessFactor": 0.5, "metallicFactor": )" + metallic + "}}");
         const int colors = file.floats("VEC3", 4, {1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0});
         std::string& mesh = file.members["meshes"];
         mesh.insert(mesh.find("\"NORMAL\""), fmt::format("\"COLOR_0\": {}, ", colors));

@@ -92,7 +92,7 @@ RULES = [
                                  pigment('png "alpha.png"') + " } }", ", 0", ", 1", "scale 0.9 translate 0.2*x")),
     rule("uv_mesh_indices", MESH % ("", "", "", "uv_indices { 2, <1, 2, 3>, <0, 3, 1> } uv_mapping " + pigment())),
     rule("uv_mesh_texture", MESH % ("", "", "", f"texture {{ uv_mapping {pigment()} scale 0.5 }} rotate y*20")),
-    rule("uv_mesh_declared", f"#declare P = pigment {{ uv_mapping image_map {{ png \"map.png\" }} }}\n" +
+    rule("uv_mesh_declared", "#declare P = pigment { uv_mapping image_map { png \"map.png\" } }\n" +
          MESH % ("", "", "", f"pigment {{ P scale 0.5 }} {FINISH}")),
     rule("uv_mesh_in_union", "union { " + MESH % ("", "", "", "") + "uv_mapping " + pigment() + " rotate y*20 }\n"),
     rule("uv_triangles", f"#declare T = texture {{ uv_mapping {pigment()} }}\n"
