@@ -215,7 +215,7 @@ TEST(WriteGltf, Textures) {
     }
     scene.textures[0].wrap_u = TextureWrap::once;
     EXPECT_EQ(gltf_warnings(scene),
-              "glTF has no textures with the wrap `once`: they are written as `clamp`\n");
+              "glTF has no textures with the wrap `once` or `clip`: they are written as `clamp`\n");
 }
 
 TEST(WriteGltf, UnlitTexturesHaveTheirColorsWhateverTheLights) {
