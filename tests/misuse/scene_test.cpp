@@ -280,6 +280,8 @@ TEST(Misuse, TexturesWithoutImages) {
     EXPECT_EQ(TextureImage{}.channels(), 3u);
     Scene scene = some_scene();
     texture.wrap_u = static_cast<TextureWrap>(9);
+    EXPECT_TRUE(texture.has_wrap(static_cast<TextureWrap>(9)));
+    EXPECT_FALSE(texture.has_wrap(TextureWrap::clip));
     scene.textures.push_back(texture);
     EXPECT_FALSE(prepare(scene));
     EXPECT_EQ(to_string(texture.wrap_u), "unknown");
