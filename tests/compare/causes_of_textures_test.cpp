@@ -275,6 +275,7 @@ void expect_silence(const std::string& scene) {
 TEST(CausesOfTextures, NearMissesByThePoint) { expect_silence(k_projected); }
 TEST(CausesOfTextures, NearMissesByAMeshsCoordinates) { expect_silence(k_mesh); }
 
+#if !defined(GLINT_SANITIZED)
 // The alpha of the texels by another curve.
 void change_texel_alpha(Scene& s, const std::function<double(double)>& curve) {
     change_textures(s, [&](Texture& t) {
@@ -285,6 +286,7 @@ void change_texel_alpha(Scene& s, const std::function<double(double)>& curve) {
         t.image = std::make_shared<const TextureImage>(std::move(image));
     });
 }
+#endif
 void expect_silence_of_alpha(const std::string& scene) {
     const std::string text = replaced(scene, "96 x 72", "64 x 48"),
                       mask = replaced(text, "texture ([a-z]+) \\{", "texture $1 { alpha = mask ");
