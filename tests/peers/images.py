@@ -57,8 +57,8 @@ RULES = [
     rule("alpha", "plane { y, -1 pigment { rgb <0.2, 0.4, 0.6> } }\n" + BALL % pigment('png "alpha.png"')),
     rule("transmit", "plane { y, -1 pigment { rgb <0.2, 0.4, 0.6> } }\n" + BALL % pigment('png "map.png" transmit all 0.4')),
     rule("filter", "plane { y, -1 pigment { rgb <0.2, 0.4, 0.6> } }\n" + BALL % pigment('png "map.png" filter all 0.6')),
-    # POV-Ray keeps decoded greys in 8 bits, so that dark ones of the sRGB curve differ.
-    rule("grey", BALL % pigment('png "grey.png" gamma 1.0')),
+    # POV-Ray cuts greys off to 8 bits after it has decoded them, so that those of version 3.7 differ where they are dark.
+    rule("grey", BALL % pigment('png "grey.png"'), head="#version 3.6;\n"),
     rule("metallic", BALL % ("pigment { image_map { png \"map.png\" } } finish { ambient 0.2 diffuse 0.4 specular 0.6 metallic }")),
     rule("emission", BALL % "pigment { image_map { png \"map.png\" } } finish { ambient 0.1 emission 0.3 diffuse 0.4 }"),
     # Encodings.
