@@ -227,7 +227,7 @@ def test_refuses_images(image, error, message):
 def test_refuses_values():
     texture = glint.Texture(TEXELS)
     for name, value, message in (
-        ("wrap_u", "tile", "wrap_u: expected one of repeat, mirror, clamp, once, found 'tile'"),
+        ("wrap_u", "tile", "wrap_u: expected one of repeat, mirror, clamp, once, clip, found 'tile'"),
         ("mapping", 1, "mapping: expected one of uv, planar, spherical, cylindrical, found 1"),
         ("alpha_cutoff", 2, "alpha_cutoff: expected a number from 0 to 1, found 2"),
         ("uv_map", (1, 2), "uv_map: expected two rows of three numbers"),
