@@ -5,6 +5,16 @@ import stat
 import tempfile
 
 
+def write_new(folder, name, content):
+    """Writes bytes, unless there is such a file: its name tells its content. Makes the folder. Raises OSError."""
+    path = os.path.join(folder, name)
+    if not os.path.exists(path):
+        os.makedirs(folder, exist_ok=True)
+        with open(path + ".part", "wb") as file:
+            file.write(content)
+        os.replace(path + ".part", path)
+
+
 def write_text(path, text):
     """Writes UTF-8. Raises OSError; then an older file is unchanged."""
     folder = os.path.dirname(os.path.abspath(path))

@@ -6,6 +6,7 @@ import os
 import re
 
 from . import png
+from .files import write_new
 from .png import np
 
 MEAN_SAMPLES = 65536
@@ -51,12 +52,7 @@ class Images:
         digest = hashlib.blake2b(data, digest_size=6).hexdigest()
         stem = re.sub(r"[^\w-]", "_", os.path.splitext(image.name)[0], flags=re.ASCII)[:40]
         name = f"{stem}_{digest}{extension}"
-        path = os.path.join(self.folder, name)
-        if not os.path.exists(path):
-            os.makedirs(self.folder, exist_ok=True)
-            with open(path + ".part", "wb") as file:
-                file.write(data)
-            os.replace(path + ".part", path)
+        write_new(self.folder, name, data)
         return f"{self.shown}/{name}", encoding, factor
 
 

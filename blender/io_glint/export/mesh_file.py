@@ -2,8 +2,9 @@
 """Meshes as binary .ply files beside the scene, which glint reads without parsing numbers. Needs numpy; without it, and for
 small meshes, mesh.py writes triangles into the text."""
 import hashlib
-import os
 from array import array
+
+from .files import write_new
 
 try:
     import numpy as np
@@ -36,12 +37,7 @@ class MeshFiles:
         return data.files[key]
 
     def _write(self, name, content):
-        path = os.path.join(self.folder, name)
-        if not os.path.exists(path):
-            os.makedirs(self.folder, exist_ok=True)
-            with open(path + ".part", "wb") as file:
-                file.write(content)
-            os.replace(path + ".part", path)
+        write_new(self.folder, name, content)
         return f"{self.shown}/{name}"
 
 
