@@ -32,7 +32,7 @@ std::shared_ptr<const TextureImage> image_of(LoadState& reading, const MtlMap& m
     return texture_image_of_file(reading, from, map.at, map.name, path, k_without_map);
 }
 
-// The word of a 8-bit or 16-bit texel as one of another size, which is not smaller.
+// The word of an 8-bit or 16-bit texel as one of another size, which is not smaller.
 template <class Word, class From> Word scaled(From word) {
     return sizeof(From) == sizeof(Word) ? static_cast<Word>(word) : static_cast<Word>(word * 257);
 }

@@ -7,7 +7,9 @@
 #include "math/transform.h"
 
 namespace glint::povray {
-// With `uv_mapping`, transforms of u and v end with the block that has it.
+
+// Moves the pigment's image. With `uv_mapping`, only transforms in the block that has it apply, to u and v:
+// the callers leave out the others.
 void TextureParser::transform_image(Pigment& pigment, const std::optional<Affine>& step) {
     if (!step || !pigment.image) return;
     pigment.map = pigment.map ? compose(*step, *pigment.map) : *step;
