@@ -126,12 +126,14 @@ struct ExplainedTexture {
     double alpha = 1;
 };
 
-/// A hole of a texture (TextureAlpha::mask) that a ray passes.
+/// A place of a surface that a ray passes: a hole of its texture (TextureAlpha::mask), or the back of a
+/// one-sided surface (Material::one_sided).
 struct ExplainedHole {
-    std::uint32_t shape = k_none;  ///< in Scene::shapes
-    double t = 0;                  ///< of the ray
-    double cutoff = 0;             ///< Texture::alpha_cutoff: the texture's alpha is below it
-    ExplainedTexture texture;
+    std::uint32_t shape = k_none;             ///< in Scene::shapes
+    double t = 0;                             ///< of the ray
+    bool back = false;                        ///< it is the back of a one-sided surface
+    double cutoff = 0;                        ///< Texture::alpha_cutoff: the texture's alpha is below it
+    std::optional<ExplainedTexture> texture;  ///< not set at the back
 };
 /// The holes of a ray that are listed.
 inline constexpr std::size_t k_max_explained_holes = 16;

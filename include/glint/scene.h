@@ -289,6 +289,10 @@ struct Material {
     /// Into Scene::textures; k_none: none.
     std::uint32_t texture = k_none;
 
+    /// Rays pass the surface where they come from behind, against its normal; it blocks light on both sides
+    /// (glTF's doubleSided = false). No effect if `transmission` > 0: refracted rays have to leave.
+    bool one_sided = false;
+
     constexpr bool is_transparent() const { return filter > 0 || transmit > 0; }
 };
 

@@ -84,6 +84,8 @@ struct Texture {
     bool has_alpha() const {
         return alpha != TextureAlpha::ignore && image && (image->has_alpha || has_wrap(TextureWrap::clip));
     }
+    /// Whether there are places where surfaces have holes.
+    bool has_holes() const { return alpha == TextureAlpha::mask && has_alpha(); }
     /// The part of a surface's opacity that is left where the texels have this alpha.
     double opacity(double texel_alpha) const {
         if (!has_alpha()) return 1;

@@ -195,6 +195,7 @@ class Material:
         hollow: bool = ...,
         interior: int = ...,
         texture: Optional[Texture] = ...,
+        one_sided: bool = ...,
     ) -> None: ...
     name: str
     color: _ColorField
@@ -225,6 +226,7 @@ class Material:
     hollow: bool
     interior: int
     texture: Optional[Texture]
+    one_sided: bool
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> Material: ...
     def __deepcopy__(self, memo: Dict[Any, Any]) -> Material: ...

@@ -70,6 +70,7 @@ constexpr CheckKind k_kinds[] = {
     {"texture-out-of-reach", "a texture that is drawn once is on no surface"},
     {"texture-invisible", "by its alpha, no texel of a texture is visible"},
     {"shape-only-holes", "of a shape, only places are seen where its texture has holes"},
+    {"shape-only-back", "a one-sided shape is seen only from behind"},
     {"texture-too-fine", "a texture is so fine that it is noise"},
     {"fog-hides-everything", "no shape is visible through the fog"},
     {"fog-not-visible", "the fog changes no pixel"},

@@ -59,7 +59,7 @@ void add_ways(const std::vector<SurfaceHit>& hits, RayList& rays) {
 // VisibleHits::passed
 std::vector<std::size_t> count_passed(const WorldParts& world, SmallSize size, const SurfaceRecord& found,
                                       int threads) {
-    if (!has_holes(world)) return {};
+    if (!world.has_holes) return {};
     std::vector<std::size_t> passed(world.geometry->scene_shapes);
     RayList rays = camera_rays(world, size);
     for (std::size_t generation = 1; generation < found.size(); ++generation)

@@ -31,7 +31,7 @@ class VisibleHits {
 
     SmallSize size;             // of the grid of camera rays
     SurfaceRecord generations;  // [0]: directly visible
-    // By shape: how often rays pass it by holes of its texture. Empty: no shape has holes.
+    // By shape: how often rays pass it (is_hole()). Empty: no shape has holes.
     std::vector<std::size_t> passed;
     const std::vector<SurfaceHit>& seen() const { return generations[0]; }
     bool is_passed(std::uint32_t shape) const { return !passed.empty() && passed[shape] > 0; }

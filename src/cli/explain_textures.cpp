@@ -44,7 +44,12 @@ std::string texture_text(const Scene& scene, const ExplainedTexture& t) {
 std::vector<std::string> hole_lines(const Scene& scene, const ExplainedRay& ray) {
     std::vector<std::string> lines;
     for (const ExplainedHole& hole : ray.holes) {
-        const ExplainedTexture& t = hole.texture;
+        if (!hole.texture) {
+            lines.push_back(fmt::format("passes the back of {} at t = {}: its material is one-sided",
+                                        shape_text(scene, hole.shape), number(hole.t)));
+            continue;
+        }
+        const ExplainedTexture& t = *hole.texture;
         lines.push_back(
             fmt::format("passes a hole of {} at t = {}: {} at {}, alpha {} is below the cutoff {}",
                         shape_text(scene, hole.shape), number(hole.t), texture_item_text(scene, t.texture),
@@ -52,7 +57,7 @@ std::vector<std::string> hole_lines(const Scene& scene, const ExplainedRay& ray)
     }
     const auto listed = static_cast<int>(ray.holes.size());
     if (ray.hole_count > listed)
-        lines.push_back(fmt::format("passes {} more holes, which are not listed", ray.hole_count - listed));
+        lines.push_back(fmt::format("passes {} more such places, which are not listed", ray.hole_count - listed));
     return lines;
 }
 

@@ -4,6 +4,7 @@
 
 #include "trace/ray_list.h"
 #include "trace/record_texture.h"
+#include "world/appearance/appearance.h"
 
 namespace glint {
 namespace {
@@ -19,23 +20,23 @@ void find_holes_of_ray(const WorldParts& world, ExplainedRay& ray) {
         t = hit.t[0];
         if (!id.exists() || !(t < ray.t)) return;
         const Vec3 point = ray.origin + ray.direction * t;
-        if (!is_hole(world, id, point)) continue;
+        if (!is_hole(world, id, point, ray.direction)) continue;
         ++ray.hole_count;
         if (ray.holes.size() >= k_max_explained_holes) continue;
-        const std::optional<ExplainedTexture> texture = recorded_texture(world, id, point);
-        if (!texture) continue;
         ExplainedHole& hole = ray.holes.emplace_back();
         hole.shape = world.geometry->shape_of(id);
         hole.t = t;
-        hole.cutoff = (*world.textures)[texture->texture].alpha_cutoff;
-        hole.texture = *texture;
+        hole.back = is_seen_through(world, id, point, ray.direction);
+        if (hole.back) continue;
+        hole.texture = recorded_texture(world, id, point);
+        if (hole.texture) hole.cutoff = (*world.textures)[hole.texture->texture].alpha_cutoff;
     }
 }
 
 }  // namespace
 
 void find_holes(const WorldParts& world, Explanation& explanation) {
-    if (!has_holes(world)) return;
+    if (!world.has_holes) return;
     for (ExplainedRay& ray : explanation.rays) {
         if (!ray.beyond_limit) find_holes_of_ray(world, ray);
     }

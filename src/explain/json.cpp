@@ -171,7 +171,7 @@ Json texture_json(const Scene& scene, const ExplainedTexture& texture) {
 Json hole_json(const Scene& scene, const ExplainedHole& hole) {
     Json json = {{"shape", shape_json(scene, hole.shape)}};
     add_terms(json, k_hole_terms, hole, {scene});
-    json["texture"] = texture_json(scene, hole.texture);
+    if (hole.texture) json["texture"] = texture_json(scene, *hole.texture);
     return json;
 }
 

@@ -14,8 +14,8 @@ std::string hole_fault(const ExplainedRay& ray, const Scene& scene) {
     for (const ExplainedHole& hole : ray.holes) {
         if (hole.shape >= scene.shapes.size())
             return fmt::format("shape {} of {}", hole.shape, scene.shapes.size());
-        if (hole.texture.texture >= scene.textures.size())
-            return fmt::format("texture {} of {}", hole.texture.texture, scene.textures.size());
+        if (hole.texture && hole.texture->texture >= scene.textures.size())
+            return fmt::format("texture {} of {}", hole.texture->texture, scene.textures.size());
     }
     return {};
 }

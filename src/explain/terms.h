@@ -55,6 +55,8 @@ inline bool has_outline(const ExplainedHit& hit, const TermContext&) { return hi
 template <bool ExplainedRay::*Flag> bool is_set(const ExplainedRay& ray, const TermContext&) {
     return ray.*Flag;
 }
+inline bool is_back(const ExplainedHole& hole, const TermContext&) { return hole.back; }
+inline bool is_of_texture(const ExplainedHole& hole, const TermContext&) { return !hole.back; }
 inline bool passes_holes(const ExplainedRay& ray, const TermContext&) { return ray.hole_count > 0; }
 inline bool hits_nothing(const ExplainedRay& ray, const TermContext&) { return !ray.hit; }
 }  // namespace terms
@@ -130,7 +132,11 @@ inline constexpr ExplainedTerm<ExplainedTexture> k_texture_terms[] = {
 
 inline constexpr ExplainedTerm<ExplainedHole> k_hole_terms[] = {
     {"t", &ExplainedHole::t, "of the ray"},
-    {"cutoff", &ExplainedHole::cutoff, "`alpha_cutoff` of the texture: its alpha is below it"},
+    {"back", &ExplainedHole::back,
+     "the ray meets the back of a one-sided surface (`one_sided`), which it passes; there is no texture then",
+     terms::is_back},
+    {"cutoff", &ExplainedHole::cutoff, "`alpha_cutoff` of the texture: its alpha is below it",
+     terms::is_of_texture},
 };
 
 inline constexpr ExplainedTerm<ExplainedHit> k_hit_terms[] = {
@@ -182,7 +188,9 @@ inline constexpr ExplainedTerm<ExplainedRay> k_ray_terms[] = {
      "true: there is no fog, because the ray is inside an object (fog_extent = outside_objects)",
      terms::is_set<&ExplainedRay::inside_object>},
     {"hole_count", &ExplainedRay::hole_count,
-     "how many holes of textures (`alpha = mask`) it passes; `holes` has the first 16", terms::passes_holes},
+     "how many holes of textures (`alpha = mask`) and backs of one-sided surfaces it passes; `holes` has the "
+     "first 16",
+     terms::passes_holes},
     {"background", &ExplainedRay::background, "what a ray without a hit adds", terms::hits_nothing},
     {"transparent", &ExplainedRay::transparent,
      "the ray shows the background directly or through glass: the mean of its weight, times 1 - "

@@ -98,6 +98,8 @@ inline constexpr ItemField<Material> k_material_fields[] = {
      .member = texture_field(&Material::texture),
      .description = "a picture that changes the color",
      .otherwise = "none"},
+    {"one_sided", "one_sided", "one-sided", bool_field(&Material::one_sided),
+     "true: rays that come from behind pass the surface; without effect if transmission > 0"},
 };
 
 /// A key of .glint that gives a field as a factor of the color.

@@ -79,16 +79,10 @@ HitList nearest_occluders(const WorldParts& world, const RayList& rays, int thre
     });
 }
 
-bool has_holes(const WorldParts& world) {
-    return world.has_alpha_textures &&
-           std::any_of(world.textures->begin(), world.textures->end(),
-                       [](const Texture& t) { return t.alpha == TextureAlpha::mask && t.has_alpha(); });
-}
-
 HitList nearest_surfaces(const WorldParts& world, const RayList& rays, int threads, const VisitHole& visit) {
-    if (!has_holes(world)) return nearest_hits(world, rays, threads);
+    if (!world.has_holes) return nearest_hits(world, rays, threads);
     return hits_behind(world, rays, threads, [&](std::size_t i, SurfaceId id, double t) {
-        if (!is_hole(world, id, rays.origin(i) + rays.direction(i) * t)) return false;
+        if (!is_hole(world, id, rays.origin(i) + rays.direction(i) * t, rays.direction(i))) return false;
         if (visit) visit(i, id, t);
         return true;
     });

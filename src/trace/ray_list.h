@@ -41,8 +41,6 @@ HitList nearest_hits(const WorldParts& world, const RayList& rays, int threads);
 /// The nearest hit among shapes that cast shadows.
 HitList nearest_occluders(const WorldParts& world, const RayList& rays, int threads);
 
-/// Whether a surface may have holes (TextureAlpha::mask).
-bool has_holes(const WorldParts& world);
 /// The nearest hit that is not in a hole. visit: called for each hole that a ray passes, in the ray's order.
 using VisitHole = std::function<void(std::size_t ray, SurfaceId surface, double t)>;
 HitList nearest_surfaces(const WorldParts& world, const RayList& rays, int threads,

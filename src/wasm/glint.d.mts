@@ -256,7 +256,8 @@ export interface ExplainedTexture extends TextureTerms {
 
 export interface ExplainedHole extends HoleTerms {
     shape: NamedItem & {kind: string};
-    texture: ExplainedTexture;
+    /** Not at the back of a one-sided surface. */
+    texture?: ExplainedTexture;
 }
 
 export interface ExplainedHit extends HitTerms {
@@ -283,7 +284,7 @@ export interface ExplainedRay extends RayTerms {
     layer: string | null;
     /** If the scene has fog: the part of the light that is seen through it, and the light that it adds. */
     fog?: {visibility: number; added: Vec3};
-    /** If it passes holes of textures: the first ones on its way. */
+    /** If it passes holes of textures or backs of one-sided surfaces: the first ones on its way. */
     holes?: ExplainedHole[];
     hit?: ExplainedHit;
 }
@@ -346,6 +347,8 @@ export interface MaterialValues {
     interior: number;
     /** a picture that changes the color */
     texture: number | null;
+    /** true: rays that come from behind pass the surface; without effect if transmission > 0 */
+    one_sided: boolean;
 }
 
 export interface RayTerms {
@@ -367,7 +370,7 @@ export interface RayTerms {
     beyond_limit?: boolean;
     /** true: there is no fog, because the ray is inside an object (fog_extent = outside_objects) */
     inside_object?: boolean;
-    /** how many holes of textures (`alpha = mask`) it passes; `holes` has the first 16 */
+    /** how many holes of textures (`alpha = mask`) and backs of one-sided surfaces it passes; `holes` has the first 16 */
     hole_count?: number;
     /** what a ray without a hit adds */
     background?: Vec3;
@@ -492,8 +495,10 @@ export interface TextureTerms {
 export interface HoleTerms {
     /** of the ray */
     t: number;
+    /** the ray meets the back of a one-sided surface (`one_sided`), which it passes; there is no texture then */
+    back?: boolean;
     /** `alpha_cutoff` of the texture: its alpha is below it */
-    cutoff: number;
+    cutoff?: number;
 }
 
 export interface OcclusionTerms {

@@ -82,6 +82,7 @@ struct WorldParts {
     CopyOnWrite<std::vector<PreparedTexture>> textures;  // of Scene::textures
     bool has_alpha_textures = false;                     // a material has one: set_texture_uses()
     bool has_emission_textures = false;                  // a material has one with TextureMix::multiply_all
+    bool has_holes = false;                              // surfaces may have some: is_hole()
     CopyOnWrite<std::vector<std::uint8_t>> no_shadow;    // by row of `materials`; empty: all cast shadows
     CopyOnWrite<std::vector<double>>
         extended;                      // k_extended_values each, by row of `materials`; empty: no uses

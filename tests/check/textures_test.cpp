@@ -136,6 +136,22 @@ TEST(CheckTextures, OnlyHolesAreSeen) {
         "");
 }
 
+TEST(CheckTextures, OnlyBacksAreSeen) {
+    const auto turned = [](const std::string& keys, const std::string& order = "(0, 2, 1), (0, 3, 2)") {
+        return k_clean +
+               "mesh { vertices = ((-0.3, 0.2, 3), (0.3, 0.2, 3), (0.3, 0.8, 3), (-0.3, 0.8, 3))  "
+               "triangles = (" +
+               order + ")  color = (0.9, 0.2, 0.1)  " + keys + " }\n";
+    };
+    EXPECT_EQ(ids_of(turned("one_sided = true")), "shape-only-back@7");
+    EXPECT_TRUE(
+        has(only_message(turned("one_sided = true")),
+            "mesh 4 (line 7) is seen only from behind, and its one-sided material does not show there"));
+    EXPECT_EQ(ids_of(turned("one_sided = false")), "");
+    EXPECT_EQ(ids_of(turned("one_sided = true", "(0, 1, 2), (0, 2, 3)")), "");
+    EXPECT_EQ(ids_of(turned("one_sided = true", "(0, 1, 2), (0, 3, 2)")), "") << "half of it is seen";
+}
+
 TEST(CheckTextures, TheCameraLooksAtHoles) {
     const std::string view = k_clean.substr(0, k_clean.find("plane"));
     const std::string plane = "plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.5, 0.5, 0.5) }\n";

@@ -256,6 +256,26 @@ TEST(Explain, TellsOfHolesAndOfBorders) {
     EXPECT_FALSE(contains(right, "clamped")) << right;
 }
 
+TEST(Explain, TellsOfBacks) {
+    const Folder folder;
+    folder.write(
+        "back.glint",
+        "render { size = 8 x 4 }\ncamera { position = (0, 0, 9)  look_at = (0, 0, 0)  fov_x = 20 }\n"
+        "light { type = ambient }\n"
+        "disc \"sheet\" { center = (0, 0, 0)  normal = (0, 0, -1)  radius = 9  one_sided = true }\n");
+    const std::string text = run(folder, {"explain", "back.glint", "-p", "1,2"}).out;
+    EXPECT_TRUE(
+        contains(text,
+                 "\n  passes the back of disc 'sheet' (back.glint:4:1) at t = 9.05666: its material is "
+                 "one-sided\n"))
+        << text;
+    const Finished json = run(folder, {"explain", "back.glint", "-p", "1,2", "--as", "json"});
+    const auto hole = nlohmann::json::parse(json.out)["rays"][0]["holes"][0];
+    EXPECT_EQ(hole["back"], true);
+    EXPECT_EQ(hole["shape"]["name"], "sheet");
+    EXPECT_FALSE(hole.contains("texture") || hole.contains("cutoff"));
+}
+
 TEST(Explain, DrawsItsRaysOverThePicture) {
     const Folder folder;
     ASSERT_EQ(run(folder, {"render", k_castle, "-s", "64x64", "-o", "plain.ppm"}).code, 0);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The layers of a pixel, added up from an explanation.
+#include <gtest/gtest.h>
+
 #include <cmath>
 
 #include "glint/explain.h"
@@ -38,6 +40,20 @@ inline void add_up(const Explanation& e, float (&layers)[k_light_layers][3]) {
     }
     for (int l = 0; l < k_light_layers; ++l)
         for (int c = 0; c < 3; ++c) layers[l][c] = film(sums[l][c], e.samples);
+}
+
+/// The layers of the pixel are the sums of its rays, and add up to its value.
+inline void expect_added_up(const Explanation& e, int x, int y) {
+    float layers[k_light_layers][3];
+    add_up(e, layers);
+    for (int c = 0; c < 3; ++c) {
+        float value = 0;
+        for (int l = 0; l < k_light_layers; ++l) {
+            ASSERT_EQ(layers[l][c], e.layers[l][c]) << x << ',' << y << ' ' << l;
+            value += e.layers[l][c];
+        }
+        ASSERT_EQ(value, e.value[c]);
+    }
 }
 
 }  // namespace glint::test

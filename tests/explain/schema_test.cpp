@@ -170,9 +170,11 @@ TEST(Explain, TheHolesOfARay) {
         EXPECT_LT(hole.t, ray.t);
         const Vec3 at = ray.origin + ray.direction * hole.t;
         EXPECT_NEAR(at.z, -static_cast<double>(i), 1e-12);
-        EXPECT_NEAR(hole.texture.u, (at.x + 4) / 8, 1e-12);
-        EXPECT_EQ(hole.texture.column, 0);
-        EXPECT_EQ(hole.texture.alpha, 0.2);
+        EXPECT_FALSE(hole.back);
+        ASSERT_TRUE(hole.texture);
+        EXPECT_NEAR(hole.texture->u, (at.x + 4) / 8, 1e-12);
+        EXPECT_EQ(hole.texture->column, 0);
+        EXPECT_EQ(hole.texture->alpha, 0.2);
         EXPECT_EQ(hole.cutoff, 0.625);
     }
     EXPECT_EQ(right.rays[0].hole_count, 0);
@@ -195,7 +197,7 @@ TEST(Explain, HolesOfAnotherSceneAreRefused) {
     e.rays[0].holes[1].shape = 3;
     EXPECT_NE(explanation_json(e, scene).message.find("shape 3 of 3"), std::string::npos);
     e.rays[0].holes[1].shape = 2;
-    e.rays[0].holes[1].texture.texture = 1;
+    e.rays[0].holes[1].texture->texture = 1;
     EXPECT_NE(explanation_json(e, scene).message.find("texture 1 of 1"), std::string::npos);
 }
 
@@ -253,6 +255,15 @@ TEST(ExplainSchema, HoldsOfHoles) {
     const json other =
         json::parse(explanation_json(explain(scene, *prepare(scene), 6, 2).value(), scene).value());
     EXPECT_FALSE(other["rays"][0].contains("holes") || other["rays"][0].contains("hole_count"));
+
+    Scene turned = scene;
+    for (Material& material : turned.materials) material.one_sided = true;
+    for (Shape& shape : turned.shapes) shape.material = 0;
+    const json passed =
+        json::parse(explanation_json(explain(turned, *prepare(turned), 6, 2).value(), turned).value());
+    EXPECT_EQ(schema.fault(passed), "");
+    EXPECT_EQ(passed["rays"][0]["holes"][0]["back"], true);
+    EXPECT_FALSE(passed["rays"][0]["holes"][0].contains("texture"));
 }
 
 }  // namespace

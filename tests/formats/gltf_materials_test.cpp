@@ -63,6 +63,16 @@ TEST(GltfMaterials, AlphaModes) {
               std::string::npos);
 }
 
+TEST(GltfMaterials, AreOneSidedUnlessDoubleSided) {
+    EXPECT_TRUE(gltf_material("{}").one_sided);
+    EXPECT_TRUE(gltf_material(R"({"doubleSided": false})").one_sided);
+    EXPECT_FALSE(gltf_material(R"({"doubleSided": true})").one_sided);
+    EXPECT_TRUE(quiet_scene(gltf_square().text(), "a.gltf").materials.at(0).one_sided) << "the default one";
+    const std::string glass = R"({"extensions": {"KHR_materials_transmission": {"transmissionFactor": 1})";
+    EXPECT_TRUE(gltf_material(glass + "}}").one_sided);
+    EXPECT_FALSE(gltf_material(glass + R"(, "KHR_materials_volume": {"thicknessFactor": 1}}})").one_sided);
+}
+
 TEST(GltfMaterials, Extensions) {
     const auto of = [](const std::string& extensions, const std::string& more = {}) {
         return gltf_material(

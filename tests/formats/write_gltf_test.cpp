@@ -81,6 +81,27 @@ TEST(WriteGltf, GivesTheStudioBackByteForByte) {
     EXPECT_EQ(written(studio), written(studio));
 }
 
+TEST(WriteGltf, KeepsTheSidesOfSurfaces) {
+    const std::string keys = "one_sided = true }\n";
+    Scene scene = gltf_like("sphere { center = (-1, 0, 0)  radius = 0.5  " + keys +
+                            "box { min = (0, -0.5, 0)  max = (1, 0.5, 1)  scale = (1, 1, -1)  " + keys +
+                            "disc { center = (0, 1, 0)  normal = (0, 0, -1)  radius = 0.6  " + keys);
+    const auto pictures_agree = [&] {
+        const Result<Scene> again = written_and_read(scene);
+        ASSERT_TRUE(again) << messages(again);
+        EXPECT_TRUE(again->materials.at(0).one_sided);
+        EXPECT_LT(mean_difference(picture_bytes(*again), picture_bytes(scene)), 0.5);
+    };
+    pictures_agree();
+    const std::vector<std::uint8_t> one_sided = picture_bytes(scene);
+    for (Material& material : scene.materials) material.one_sided = false;
+    EXPECT_GT(mean_difference(one_sided, picture_bytes(scene)), 2) << "the disc is seen";
+    // A left-handed camera, for which the writer reflects the scene.
+    for (Material& material : scene.materials) material.one_sided = true;
+    scene.camera.frame = CameraFrame{{-0.6, 0, 0}, {0, 0.45, 0}, {0, 0, -1}};
+    pictures_agree();
+}
+
 TEST(WriteGltf, KeepsTheMaterialsThatWereRead) {
     for (const double metallic : {0.0, 0.25, 1.0}) {
         for (const double roughness : {0.0, 0.1, 0.35, 0.5, 0.9, 1.0}) {

@@ -276,6 +276,7 @@ TEST(Misuse, TexturesWithoutImages) {
     Texture texture;
     texture.alpha = static_cast<TextureAlpha>(77);
     EXPECT_FALSE(texture.has_alpha()) << "it has no image";
+    EXPECT_FALSE(texture.has_holes());
     EXPECT_EQ(texture.opacity(k_nan), 1);
     EXPECT_EQ(TextureImage{}.channels(), 3u);
     Scene scene = some_scene();

@@ -274,19 +274,6 @@ void expect_filters_in_order(const Explanation& e) {
     }
 }
 
-void expect_added_up(const Explanation& e, int x, int y) {
-    float layers[k_light_layers][3];
-    add_up(e, layers);
-    for (int c = 0; c < 3; ++c) {
-        float value = 0;
-        for (int l = 0; l < k_light_layers; ++l) {
-            ASSERT_EQ(layers[l][c], e.layers[l][c]) << x << ',' << y << ' ' << l;
-            value += e.layers[l][c];
-        }
-        ASSERT_EQ(value, e.value[c]);
-    }
-}
-
 TEST(Transparency, ExplainedAsDrawn) {
     std::size_t filters = 0, straight = 0, beyond = 0;
     for (const LimitRule limit : {LimitRule::drop, LimitRule::background}) {

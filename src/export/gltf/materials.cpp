@@ -177,8 +177,8 @@ MaterialList::Item MaterialList::write(const MaterialUse& use) {
     if (found.specular) {
         extensions["KHR_materials_specular"] = {{"specularColorFactor", to_json(*found.specular)}};
     }
-    // Surfaces have two sides in glint. What encloses a volume has to have one in glTF.
-    if (!(m.transmission > 0)) to["doubleSided"] = true;
+    // What encloses a volume has to have one side in glTF.
+    if (!m.one_sided && !(m.transmission > 0)) to["doubleSided"] = true;
     for (const auto& [name, value] : extensions.items()) file_.use_extension(name);
     if (!extensions.empty()) to["extensions"] = std::move(extensions);
     item.number = file_.add(List::materials, to);

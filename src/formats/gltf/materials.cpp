@@ -53,7 +53,7 @@ std::optional<MaterialUse> Materials::use(JsonValue primitive) {
     return known.use;
 }
 
-bool Materials::read_alpha(JsonValue at, AlphaMode& mode, double& cutoff) {
+bool Materials::read_alpha(JsonValue at, AlphaMode& mode, double& cutoff, Material& material) {
     const JsonValue value = at.find("alphaMode");
     const std::string name = value.exists() ? value.string() : "OPAQUE";
     if (name == "MASK") {
@@ -63,9 +63,12 @@ bool Materials::read_alpha(JsonValue at, AlphaMode& mode, double& cutoff) {
     } else if (name != "OPAQUE") {
         return file_.expected(value, "OPAQUE, MASK or BLEND", "alphaMode");
     }
-    bool is_double_sided = false;  // surfaces have two sides in glint
-    return file_.number(at, "alphaCutoff", cutoff, k_not_negative) &&
-           file_.flag(at, "doubleSided", is_double_sided);
+    bool is_double_sided = false;
+    if (!file_.number(at, "alphaCutoff", cutoff, k_not_negative) ||
+        !file_.flag(at, "doubleSided", is_double_sided))
+        return false;
+    material.one_sided = !is_double_sided;
+    return true;
 }
 
 bool Materials::read_metal(JsonValue at, Base& base, Material& material) {
@@ -158,6 +161,7 @@ bool Materials::read_transmission(JsonValue at, const Base& base, Material& mate
         material.transmit = 0;
         material.transmission = factor;
         material.transmission_tint = limited(base.color);
+        material.one_sided = false;  // refracted rays leave through the back
         material.ior = index >= 1 ? number::min(index, k_index_of_refraction.max) : 1;
     } else {
         material.filter = factor * (1 - material.transmit);
@@ -179,7 +183,7 @@ std::optional<MaterialUse> Materials::read(JsonValue at, bool has_vertex_colors)
     base.has_vertex_colors = has_vertex_colors;
     AlphaMode mode = AlphaMode::opaque;
     double cutoff = 0.5;
-    if (!read_reflection(at, base, material) || !read_alpha(at, mode, cutoff) || !read_emission(at, material))
+    if (!read_reflection(at, base, material) || !read_alpha(at, mode, cutoff, material) || !read_emission(at, material))
         return std::nullopt;
     warn_about_maps(at);
     use.factor = base.color;

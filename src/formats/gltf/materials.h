@@ -45,7 +45,7 @@ class Materials {
         Color reflected() const { return has_vertex_colors && !is_metal ? k_color_of_vertices : color; }
     };
     std::optional<MaterialUse> read(JsonValue at, bool has_vertex_colors);
-    bool read_alpha(JsonValue at, AlphaMode& mode, double& cutoff);
+    bool read_alpha(JsonValue at, AlphaMode& mode, double& cutoff, Material& material);
     bool read_reflection(JsonValue at, Base& base, Material& material);
     bool read_glossiness(JsonValue from, Base& base, Material& material);
     bool read_metal(JsonValue at, Base& base, Material& material);

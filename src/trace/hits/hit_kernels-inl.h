@@ -26,9 +26,10 @@ HWY_INLINE RaySpan from(const RaySpan& r, int first) {
 void nearest_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, HitColumns hits) {
     for (int i = 0; i < count; ++i) hits.set(i, rays.t_max[i], {});
     for (int first = 0; first < count; first += SlabRays::k_max_rays) {
-        trace_chunk<false>(world, *world.geometry, k_none, from(rays, first),
+        const RaySpan chunk = from(rays, first);
+        trace_chunk<false>(world, *world.geometry, k_none, chunk,
                            number::min(SlabRays::k_max_rays, count - first), packet, hits.from(first),
-                           nullptr, false);
+                           nullptr, false, {chunk, nullptr});
     }
 }
 
@@ -56,8 +57,9 @@ void any_hit(const WorldParts& world, const RaySpan& rays, int count, int packet
             t[i] = rays.t_max[first + i];
             occluded[first + i] = 0;
         }
-        trace_chunk<true>(world, *world.geometry, k_none, from(rays, first), n, packet, {t, nullptr, nullptr},
-                          occluded + first, parallel);
+        const RaySpan chunk = from(rays, first);
+        trace_chunk<true>(world, *world.geometry, k_none, chunk, n, packet, {t, nullptr, nullptr},
+                          occluded + first, parallel, {chunk, nullptr});
     }
 }
 

@@ -109,15 +109,16 @@ void ShapeTests::instances_leaf(const ShapeClass& shapes, const RayPacket& packe
         else
             mapped.map<false>(packet, met, rays, result.nearest.t, lo, hi, p);
         if (mapped.count == 0) continue;
+        const WorldRays world_rays{rays, mapped.ray};
         if (result.occluded != nullptr) {
             trace_chunk<true>(result.world, mesh, shape, mapped.span(), mapped.count, k_packet_size,
-                              mapped.hits(), mapped.occluded, false);
+                              mapped.hits(), mapped.occluded, false, world_rays);
             for (int k = 0; k < mapped.count; ++k) {
                 if (mapped.occluded[k] != 0) result.occlude(mapped.ray[k], {shape, 0});
             }
         } else {
             trace_chunk<false>(result.world, mesh, shape, mapped.span(), mapped.count, k_packet_size,
-                               mapped.hits(), nullptr, false);
+                               mapped.hits(), nullptr, false, world_rays);
             for (int k = 0; k < mapped.count; ++k) {
                 if (mapped.slot[k] != k_none)
                     result.accept(mapped.ray[k], mapped.t[k], {shape, mapped.element[k]});

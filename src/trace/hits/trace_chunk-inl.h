@@ -61,16 +61,16 @@ HWY_INLINE void trace_any(const Bvh& bvh, SlabRays& slab_rays, int count, int ma
 }
 
 /// Traces rays [0, count) of the span, count <= SlabRays::k_max_rays. geometry: the world's, or that of a
-/// mesh, which the shape in slot `instance` of the world has. parallel: all rays have one direction (any_hit
-/// only).
+/// mesh, which the shape in slot `instance` of the world has. world_rays: the same rays in the world.
+/// parallel: all rays have one direction (any_hit only).
 template <bool any>
 HWY_NOINLINE void trace_chunk(const WorldParts& world, const PackedGeometry& geometry, std::uint32_t instance,
                               const RaySpan& rays, int count, int max_packet, HitColumns nearest,
-                              std::uint8_t* occluded, bool parallel) {
+                              std::uint8_t* occluded, bool parallel, const WorldRays& world_rays) {
     SlabRays slab_rays;
     prepare_rays(rays, count, slab_rays);
     std::uint32_t occluder = k_none;
-    const HitResult result{world, slab_rays, nearest, occluded, &occluder};
+    const HitResult result{world, slab_rays, nearest, occluded, &occluder, world_rays};
     ShearedRays sheared_rays(rays);
     QuickRays quick_rays(rays, count, parallel);
     ShapeTests tests{geometry, rays, slab_rays, result, sheared_rays, quick_rays, instance};

@@ -124,11 +124,25 @@ inline double texture_opacity(const WorldParts& world, SurfaceId id,
     return texture ? world.texture_of(material_row(world, id))->opacity(texture->alpha) : 1;
 }
 
+/// Whether the surface is one-sided, and a ray of this direction meets its back (Material::one_sided).
+inline bool is_seen_through(const WorldParts& world, SurfaceId id, Vec3 point, Vec3 direction) {
+    if (!world.uses<&Material::one_sided>()) return false;
+    const std::uint32_t row = material_row(world, id);
+    return world.extended_row(row)[k_extended_value<&Material::one_sided>] > 0 &&
+           !(world.material(row)[k_transmission] > 0) &&
+           dot(surface_normals(*world.geometry, id, point).face, direction) > 0;
+}
+
 /// Whether the surface has a hole at a point (TextureAlpha::mask).
-inline bool is_hole(const WorldParts& world, SurfaceId id, Vec3 point) {
+inline bool has_hole_at(const WorldParts& world, SurfaceId id, Vec3 point) {
     const PreparedTexture* const texture = world.texture_of(material_row(world, id));
-    return texture != nullptr && texture->alpha == TextureAlpha::mask && texture->has_alpha() &&
+    return texture != nullptr && texture->has_holes() &&
            texture_opacity(world, id, surface_texture(world, id, point)) == 0;
+}
+
+/// Whether a ray of this direction passes the surface at a point as if there were none.
+inline bool is_hole(const WorldParts& world, SurfaceId id, Vec3 point, Vec3 direction) {
+    return world.has_holes && (is_seen_through(world, id, point, direction) || has_hole_at(world, id, point));
 }
 
 /// Writes the k_extended_values of a surface: its material's row, with the transparency of a texture, if it

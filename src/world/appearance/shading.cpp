@@ -142,10 +142,12 @@ void set_colors(WorldParts& parts, std::span<const ShapeColor> colors, int threa
 
 void set_texture_uses(WorldParts& parts) {
     parts.has_alpha_textures = parts.has_emission_textures = false;
+    parts.has_holes = parts.uses<&Material::one_sided>();
     for (std::uint32_t row = 0; row < parts.scene_materials(); ++row) {
         const PreparedTexture* const texture = parts.texture_of(row);
         if (texture == nullptr) continue;
         parts.has_alpha_textures = parts.has_alpha_textures || texture->has_alpha();
+        parts.has_holes = parts.has_holes || texture->has_holes();
         parts.has_emission_textures = parts.has_emission_textures || texture->mix == TextureMix::multiply_all;
     }
     if (parts.has_alpha_textures) parts.extended_uses |= k_extended_field<&Material::transmit>;
