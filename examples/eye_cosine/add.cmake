@@ -2,7 +2,7 @@
 # docs/adding_a_light.md, "A term of an explanation": N·V of a hit.
 
 # 1. The member.
-add_line(include/glint/explain.h before "    bool behind = false;              ///< the ray came from the back"
+add_line(include/glint/explain.h before "    bool behind = false; "
   "    double n_v = 0;                   ///< N·V\n")
 # 2. The stage that records it.
 add_line(src/trace/record-inl.h after "    hit.to_eye = vec3_at(surfaces.to_eye, i);\n"
