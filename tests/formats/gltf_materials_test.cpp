@@ -99,16 +99,51 @@ TEST(GltfMaterials, Extensions) {
     EXPECT_EQ(glossy.shininess, 30);
 }
 
+// Texels of two pictures as PPM; the second one is cut short.
+GltfText with_pictures(const std::string& material, const std::string& texels) {
+    GltfText file = gltf_square(material);
+    const std::string ppm = "P6 2 2 255\n" + texels;
+    file.members["images"] = fmt::format(
+        R"([{{"uri": "data:image/x-portable-pixmap;base64,{}"}}, {{"uri": "data:;base64,UDY="}}])", base64(ppm));
+    file.members["textures"] = R"([{"source": 0}, {"source": 1}])";
+    return file;
+}
+
+TEST(GltfMaterials, HaveTheMeansOfMapsOfMetalAndRoughness) {
+    const auto of = [](int texture) {
+        return with_pictures(
+            fmt::format(
+                R"({{"pbrMetallicRoughness": {{"baseColorFactor": [1, 0.5, 0, 1], "roughnessFactor": 0.5, "metallicFactor": 0.5, "metallicRoughnessTexture": {{"index": {}}}}}}})",
+                texture),
+            // Green: roughness 0.8, blue: metal 0, 0, 0.4 and 0.8.
+            std::string("\xff\xcc\x00\x00\xcc\x00\x00\xcc\x66\xff\xcc\xcc", 12));
+    };
+    const Result<Scene> mean = load_text(of(0).text(), "a.gltf");
+    ASSERT_TRUE(mean) << messages(mean);
+    EXPECT_NE(messages(mean).find("the mean of its map"), std::string::npos) << messages(mean);
+    const Material expected = gltf_material(
+        R"({"pbrMetallicRoughness": {"baseColorFactor": [1, 0.5, 0, 1], "roughnessFactor": 0.4, "metallicFactor": 0.15}})");
+    const Material& found = mean->materials.at(0);
+    EXPECT_NEAR(found.shininess, expected.shininess, 1e-9);
+    expect_gltf_color(found.diffuse, expected.diffuse);
+    expect_gltf_color(found.specular, expected.specular);
+
+    const Result<Scene> unread = load_text(of(1).text(), "a.gltf");
+    ASSERT_TRUE(unread) << messages(unread);
+    EXPECT_EQ(unread.diagnostics.size(), 2u) << messages(unread);
+    expect_gltf_color(unread->materials.at(0).diffuse, {1, 0.5, 0});
+    const Result<Scene> none = load_text(of(2).text(), "a.gltf");
+    EXPECT_FALSE(none);
+}
+
 TEST(GltfMaterials, MapsThatAreIgnoredAreNamedOnce) {
     const Result<Scene> result = with_material(
-        R"({"normalTexture": {"index": 0}, "occlusionTexture": {"index": 0}, "emissiveTexture": {"index": 0}, "emissiveFactor": [1, 1, 1], "pbrMetallicRoughness": {"metallicRoughnessTexture": {"index": 0}}})");
+        R"({"normalTexture": {"index": 0}, "occlusionTexture": {"index": 0}, "emissiveTexture": {"index": 0}, "emissiveFactor": [1, 1, 1]})");
     ASSERT_TRUE(result);
-    for (const char* name :
-         {"normal maps", "occlusion maps", "maps of emission", "maps of metal and roughness"})
+    for (const char* name : {"normal maps", "occlusion maps", "maps of emission"})
         EXPECT_NE(messages(result).find(name), std::string::npos) << messages(result);
-    EXPECT_EQ(result.diagnostics.size(), 4u);
+    EXPECT_EQ(result.diagnostics.size(), 3u);
     expect_gltf_color(result->materials.at(0).emission, {});
-    expect_gltf_color(result->materials.at(0).specular, {});
 }
 
 TEST(GltfMaterials, ColorsOfVerticesAreMultipliedByTheFactor) {

@@ -84,12 +84,12 @@ bool Materials::read_metal(JsonValue at, Base& base, Material& material) {
         !file_.number(specular_extension, "specularFactor", specular, k_fraction) ||
         !file_.color(specular_extension, "specularColorFactor", specular_color))
         return false;
-    if (metal.find("metallicRoughnessTexture").exists() && metallic > 0) {
-        // With a map, the factor is 1 for every surface.
-        metallic = 0;
-        file_.warn_once("gltf metal map", metal.find("metallicRoughnessTexture"),
-                        "glint ignores the maps of metal and roughness: their surfaces are drawn as if they "
-                        "were no metal");
+    if (const JsonValue map = metal.find("metallicRoughnessTexture"); map.exists()) {
+        file_.warn_once("gltf metal map", map,
+                        "glint has no maps of metal and roughness: each surface has the mean of its map");
+        const std::optional<Color> mean = textures_.mean(map);
+        roughness *= mean ? mean->g : 1;
+        metallic *= mean ? mean->b : 0;  // without the map, a factor of 1 says nothing
     }
     base.color = {color[0], color[1], color[2]};
     base.alpha = number::min(color[3], 1.0);
@@ -183,7 +183,8 @@ std::optional<MaterialUse> Materials::read(JsonValue at, bool has_vertex_colors)
     base.has_vertex_colors = has_vertex_colors;
     AlphaMode mode = AlphaMode::opaque;
     double cutoff = 0.5;
-    if (!read_reflection(at, base, material) || !read_alpha(at, mode, cutoff, material) || !read_emission(at, material))
+    if (!read_reflection(at, base, material) || !read_alpha(at, mode, cutoff, material) ||
+        !read_emission(at, material))
         return std::nullopt;
     warn_about_maps(at);
     use.factor = base.color;

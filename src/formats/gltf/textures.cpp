@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "base/text.h"
@@ -15,10 +16,27 @@
 namespace glint::gltf {
 namespace {
 
-constexpr std::string_view k_without = "its surfaces have no texture";
+constexpr std::string_view k_without = "its surfaces are drawn without it";
 
 // The numbers of OpenGL that samplers have.
 constexpr std::uint64_t k_nearest = 9728, k_repeat = 10497, k_clamp = 33071, k_mirror = 33648;
+
+// The sums are exact.
+Color mean_of(const TextureImage& image) {
+    return std::visit(
+        [&](const auto& words) {
+            std::uint64_t sums[3] = {0, 0, 0};
+            for (std::size_t i = 0; i < words.size(); i += image.channels()) {
+                for (std::size_t c = 0; c < 3; ++c) sums[c] += words[i + c];
+            }
+            const double whole =
+                static_cast<double>(std::numeric_limits<std::decay_t<decltype(words[0])>>::max()) *
+                image.width * image.height;
+            const auto share = [&](std::uint64_t sum) { return static_cast<double>(sum) / whole; };
+            return Color{share(sums[0]), share(sums[1]), share(sums[2])};
+        },
+        image.words);
+}
 
 }  // namespace
 
@@ -97,7 +115,7 @@ bool Textures::read_picture(JsonValue image, Picture& picture) {
     return true;
 }
 
-const Textures::Picture* Textures::picture(JsonValue source) {
+Textures::Picture* Textures::picture(JsonValue source) {
     const std::optional<std::uint32_t> index = file_.index(source, List::images);
     if (!index) return nullptr;
     const auto [found, is_new] = pictures_.try_emplace(*index);
@@ -105,7 +123,7 @@ const Textures::Picture* Textures::picture(JsonValue source) {
     return read_picture(file_.item(List::images, *index), found->second) ? &found->second : nullptr;
 }
 
-std::optional<TextureUse> Textures::use(JsonValue info, TextureAlpha alpha, double cutoff, TextureMix mix) {
+std::optional<Textures::Source> Textures::source(JsonValue info) {
     const JsonValue number = info.find("index");
     if (!number.exists()) {
         file_.expected(info, "an object with the `index` of a texture");
@@ -114,17 +132,33 @@ std::optional<TextureUse> Textures::use(JsonValue info, TextureAlpha alpha, doub
     const std::optional<std::uint32_t> index = file_.index(number, List::textures);
     if (!index) return std::nullopt;
     const JsonValue at = file_.item(List::textures, *index);
-    Texture texture;
-    TextureUse use;
-    if (!read_place(info, texture, use) || !read_sampler(at, texture)) return std::nullopt;
-    const JsonValue source = at.find("source");
-    if (!source.exists()) {
+    const Source source{*index, at.find("source")};
+    if (!source.image.exists()) {
         file_.warn_once("gltf source", at,
                         fmt::format("{} has no `source`, a picture that glint reads: {}",
                                     File::name(List::textures, *index), k_without));
-        return use;
     }
-    const Picture* const found = picture(source);
+    return source;
+}
+
+std::optional<Color> Textures::mean(JsonValue info) {
+    const std::optional<Source> source = this->source(info);
+    if (!source || !source->image.exists()) return std::nullopt;
+    Picture* const found = picture(source->image);
+    if (found == nullptr || !found->texels) return std::nullopt;
+    if (!found->mean) found->mean = mean_of(*found->texels);
+    return found->mean;
+}
+
+std::optional<TextureUse> Textures::use(JsonValue info, TextureAlpha alpha, double cutoff, TextureMix mix) {
+    const std::optional<Source> source = this->source(info);
+    if (!source) return std::nullopt;
+    const JsonValue at = file_.item(List::textures, source->texture);
+    Texture texture;
+    TextureUse use;
+    if (!read_place(info, texture, use) || !read_sampler(at, texture)) return std::nullopt;
+    if (!source->image.exists()) return use;
+    const Picture* const found = picture(source->image);
     if (found == nullptr) return std::nullopt;
     if (!found->texels) return use;
     texture.image = found->texels;
@@ -134,7 +168,7 @@ std::optional<TextureUse> Textures::use(JsonValue info, TextureAlpha alpha, doub
     texture.mix = mix;
     if (alpha == TextureAlpha::mask) texture.alpha_cutoff = cutoff;
     std::vector<Texture>& all = file_.reading.scene.textures;
-    const TextureKey key{*index, alpha, mix, texture.alpha_cutoff, numbers_of(texture.uv_map)};
+    const TextureKey key{source->texture, alpha, mix, texture.alpha_cutoff, numbers_of(texture.uv_map)};
     const auto [known, is_new] = textures_.try_emplace(key, static_cast<std::uint32_t>(all.size()));
     if (is_new) {
         all.push_back(std::move(texture));
