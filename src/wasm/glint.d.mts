@@ -251,7 +251,7 @@ export interface ExplainedSecondaryRay {
 export interface ExplainedTexture extends TextureTerms {
     index: number;
     name?: string;
-    mix: 'multiply' | 'replace';
+    mix: 'multiply' | 'multiply_all' | 'replace';
 }
 
 export interface ExplainedHole extends HoleTerms {

@@ -256,11 +256,23 @@ TEST(ExplainSchema, HoldsOfHoles) {
         json::parse(explanation_json(explain(scene, *prepare(scene), 6, 2).value(), scene).value());
     EXPECT_FALSE(other["rays"][0].contains("holes") || other["rays"][0].contains("hole_count"));
 
-    Scene turned = scene;
-    for (Material& material : turned.materials) material.one_sided = true;
-    for (Shape& shape : turned.shapes) shape.material = 0;
+    for (const TextureMix mix : {TextureMix::multiply, TextureMix::replace, TextureMix::multiply_all}) {
+        Scene mixed = scene;
+        mixed.textures[0].mix = mix;
+        const json with_mix =
+            json::parse(explanation_json(explain(mixed, *prepare(mixed), 6, 2).value(), mixed).value());
+        EXPECT_EQ(schema.fault(with_mix), "");
+        EXPECT_EQ(with_mix["rays"][0]["hit"]["texture"]["mix"], to_string(mix));
+    }
+
+    const SceneText backs[] = {
+        {"back.glint",
+         "camera { position = (0, 0, 9)  look_at = (0, 0, 0)  fov_x = 20 }\n"
+         "disc { center = (0, 0, 0)  normal = (0, 0, -1)  radius = 9  one_sided = true }\n",
+         {}}};
+    const Scene back = load(backs).value();
     const json passed =
-        json::parse(explanation_json(explain(turned, *prepare(turned), 6, 2).value(), turned).value());
+        json::parse(explanation_json(explain(back, *prepare(back), 6, 2).value(), back).value());
     EXPECT_EQ(schema.fault(passed), "");
     EXPECT_EQ(passed["rays"][0]["holes"][0]["back"], true);
     EXPECT_FALSE(passed["rays"][0]["holes"][0].contains("texture"));

@@ -186,6 +186,24 @@ sphere "ball" { center = (0, 0, 0)  radius = 1  color = (0, 1, 0)  emission = 0.
     await page.waitForFunction(() => /hits nothing: this is the fog\.$/.test(document.querySelector('.sentence').textContent));
 }));
 
+test('holes of textures and backs of one-sided surfaces are listed before the hit', () => withPage(async (page) => {
+    await drop(page, {name: 'holes.glint', text: `render { size = 100 x 100 }
+camera { position = (0, 0, 6)  look_at = (0, 0, 0)  fov_x = 60 }
+light { type = ambient }
+texture leaf { texels = ("10203000 405060ff")  filter = nearest  alpha = mask  mapping = planar  scale = 4  translate = (-1, -2, 0) }
+disc "sheet" { center = (0, 0, 2)  normal = (0, 0, 1)  radius = 1  texture = leaf }
+disc "back" { center = (0, 0, 1)  normal = (0, 0, -1)  radius = 1  one_sided = true }
+sphere "ball" { center = (0, 0, 0)  radius = 0.5  color = (0, 1, 0) }\n`});
+    await page.waitForFunction(() => document.querySelector('.file-name').textContent === 'holes.glint');
+    await settled(page);
+    await clickPicture(page, 0.5, 0.5);
+    await page.locator('.ray-node[data-ray="0"] > .term').first().waitFor();
+    const lines = (await page.locator('.ray-node[data-ray="0"] > .term').allInnerTexts()).map((line) => line.replace(/\s+/g, ' '));
+    assert.match(lines[0], /^passes t = 4(\.\d+)?, a hole of its texture: alpha 0 disc “sheet”, line 5$/);
+    assert.match(lines[1], /^passes t = 5(\.\d+)?, its back: the material is one-sided disc “back”, line 6$/);
+    assert.match(lines[2], /^object .*sphere “ball”, line 7$/);
+}));
+
 test('the object that is clicked has controls, which change its numbers in the text', () => withPage(async (page) => {
     const text = `render { size = 100 x 100 }
 camera { position = (0, 0, 6) look_at = (0, 0, 0) }

@@ -147,7 +147,22 @@ function sumWords(hit: ExplainedHit, fog: ExplainedRay['fog']): string {
 /** Where a texture is read, and what its color does. */
 function textureText(texture: NonNullable<ExplainedHit['texture']>): string {
     const place = `${texture.name ? `${texture.name} ` : ''}at u ${short(texture.u)}, v ${short(texture.v)}`;
-    return `${place}; ${texture.mix === 'multiply' ? 'multiplies color, k_a and k_d' : 'replaces the color'}`;
+    const does = {multiply: 'multiplies color, k_a and k_d', multiply_all: 'multiplies color, k_a, k_d and k_e', replace: 'replaces the color'};
+    return `${place}; ${does[texture.mix]}`;
+}
+
+/** The holes of textures and the backs of one-sided surfaces that a ray passes. */
+function Holes({ray}: {ray: ExplainedRay}) {
+    const {holes = [], hole_count: count = 0} = ray;
+    return (
+        <>
+            {holes.map(({shape, t, texture}, i) => (
+                <Term key={i} name="passes" place={shape} value={itemName(shape)}
+                    formula={`t = ${short(t)}, ${texture ? `a hole of its texture: alpha ${short(texture.alpha)}` : 'its back: the material is one-sided'}`} />
+            ))}
+            {count > holes.length && <p class="why">And {count - holes.length} more such places.</p>}
+        </>
+    );
 }
 
 function Ray({explanation, number, depth}: {explanation: Explanation; number: number; depth: number}) {
@@ -168,6 +183,7 @@ function Ray({explanation, number, depth}: {explanation: Explanation; number: nu
             </summary>
             {ray.inside_object && <Term name="fog" formula="the ray is inside an object" value="none" />}
             {ray.fog && ray.fog.visibility !== 1 && <Term name="fog" formula={`${short(ray.fog.visibility)} of the light is seen; the fog adds`} value={shortColor(ray.fog.added)} />}
+            <Holes ray={ray} />
             {hit ? (
                 <>
                     <Term name="object" place={hit.shape} formula={`t = ${short(ray.t)}`} value={itemName(hit.shape)} />
