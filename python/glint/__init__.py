@@ -10,6 +10,7 @@
 docs/python.md is the guide.
 """
 
+from ._classes import complete_classes
 from ._diagnosis import Diagnosis, ProposedPixel, diagnose, propose_pixels
 from ._errors import GlintError, GlintWarning
 from ._glint import (
@@ -44,6 +45,8 @@ from ._settings import profiles, setting_infos
 from ._tools import Finding, Versus, check, compare, convert, explain, load, loads, versus
 from ._trace_log import TraceLog
 from ._values import Attenuation, Color, ColorLike, Vec3, VectorLike
+
+complete_classes()
 
 __all__ = [
     "Attenuation", "BackgroundGradient", "Box", "Camera", "CameraFrame", "Color", "ColorLike", "Comparison", "Cone", "Cylinder",

@@ -33,15 +33,19 @@ def is_atoms(item: Any) -> bool:
 
 def atom_arrays(atoms: Any) -> Tuple[Array, Array, Array]:
     """Positions, covalent radii (both in angstrom) and Jmol's colors of ASE's atoms."""
+    numbers = atoms.get_atomic_numbers()
+    if len(numbers) == 0:
+        return np.zeros((0, 3)), np.zeros(0), np.zeros((0, 3))
     from ase.data import covalent_radii  # type: ignore[import]
     from ase.data.colors import jmol_colors  # type: ignore[import]
 
-    numbers = atoms.get_atomic_numbers()
     return np.asarray(atoms.get_positions(), float), covalent_radii[numbers], jmol_colors[numbers]
 
 
 def find_bonds(positions: Array, radii: Array, tolerance: float = 0.3) -> Array:
     """Pairs of atoms nearer than the sum of their covalent radii and the tolerance in angstrom: M x 2 indices."""
+    if len(positions) == 0:
+        return np.zeros((0, 2), np.int64)
     from scipy.spatial import cKDTree  # type: ignore[import]
 
     pairs = cKDTree(positions).query_pairs(2 * radii.max() + tolerance, output_type="ndarray")

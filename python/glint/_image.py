@@ -10,6 +10,9 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _glint
+from ._expect import Closed, plain
+from ._files import write_file
+from ._words import PictureFormat, Transfer
 
 FloatArray = npt.NDArray[np.float32]
 PathLike = Union[str, "os.PathLike[str]"]
@@ -29,8 +32,15 @@ class _Layers(Mapping[str, FloatArray]):
     def __len__(self) -> int:
         return len(self._rendering.layer_names())
 
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return dict, (dict(self),)
 
-class Image:
+    def __repr__(self) -> str:
+        shapes = (f"{name!r}: {' x '.join(map(str, layer.shape))}" for name, layer in self.items())
+        return f"<layers {{{', '.join(shapes)}}}>"
+
+
+class Image(Closed):
     """A picture: linear RGB floats, row by row from the top.
 
     Image(array) copies height x width x 3 (or 4) numbers, or height x width greys; of integers, the type's
@@ -88,6 +98,7 @@ class Image:
         light is called by its number, as 'light:2', and by the name that render() was given."""
         return _Layers(self._rendering, self._asked)
 
+    @plain
     def viewable(self, layer: str) -> Image:
         """A layer as a picture to look at: normals as colors, depth from white to dark."""
         return Image._of(self._rendering.viewable(self._asked.get(layer, layer)))
@@ -102,20 +113,24 @@ class Image:
         """The instruction set that it was rendered with; the picture does not depend on it."""
         return self._rendering.isa
 
-    def to_bytes(self, format: str = "png", *, bits: int = 8, transfer: Optional[str] = None) -> bytes:
+    @plain
+    def to_bytes(self, format: PictureFormat = "png", *, bits: int = 8, transfer: Optional[Transfer] = None) -> bytes:
         """The bytes of a file: 'png', 'ppm', 'tga', 'bmp', 'jpeg' or 'exr'. bits: 8 or 16 a channel (TGA, BMP and
         JPEG: 8); transfer: 'none' or 'srgb', in place of the scene's convention `transfer`."""
         return self._rendering.encode(format, bits, transfer)
 
-    def save(self, path: PathLike, *, bits: int = 8, transfer: Optional[str] = None) -> None:
-        """Writes .png, .ppm, .tga, .bmp, .jpg or .exr; an .exr holds the layers, too."""
+    def save(self, path: PathLike, *, bits: int = 8, transfer: Optional[Transfer] = None) -> None:
+        """Writes .png, .ppm, .tga, .bmp, .jpg or .exr; an .exr holds the layers, too.
+
+        The file is replaced when the new one is complete: if there is an error (OSError), the old one is as it was.
+        """
         name = os.fspath(path)
         ending = os.path.splitext(name)[1].lower()
         if ending not in (".png", ".ppm", ".tga", ".bmp", ".jpg", ".jpeg", ".exr"):
             raise ValueError(f"{name!r}: glint writes .png, .ppm, .tga, .bmp, .jpg and .exr")
-        content = self.to_bytes("jpeg" if ending == ".jpg" else ending[1:], bits=bits, transfer=transfer)
-        with open(name, "wb") as file:
-            file.write(content)
+        format: Any = "jpeg" if ending == ".jpg" else ending[1:]
+        content = self.to_bytes(format, bits=bits, transfer=transfer)
+        write_file(name, content)
 
     def to_pil(self) -> Any:
         """The same picture for PIL, with 8 bits a channel."""

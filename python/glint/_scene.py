@@ -11,12 +11,15 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _accept, _glint
+from ._classes import check_normals
+from ._expect import Closed, expect, plain
 from ._glint import BackgroundGradient, Camera, Fog, Light, Material, Mesh, Occlusion, Shape, Texture
 from ._image import Image
 from ._lists import Lights, Materials, Shapes, Textures
 from ._progress import Progress, reporting
-from ._settings import Settings, to_list
+from ._settings import Settings, to_crop, to_list
 from ._values import Color, ColorLike
+from ._words import SceneFormat, Shading
 
 Added = TypeVar("Added", bound=Union[Light, Material, Shape, Texture])
 Arrays = Any
@@ -45,7 +48,7 @@ class Hits:
         return len(self.t)
 
 
-class Scene:
+class Scene(Closed):
     """Shapes, materials, lights, a camera, conventions and settings.
 
     The next picture prepares only what has changed since the last one: a new light, material or camera takes
@@ -88,7 +91,10 @@ class Scene:
 
     @lights.setter
     def lights(self, lights: Iterable[Light]) -> None:
-        self._state.set_lights(list(lights))
+        items = list(lights)
+        for light in items:
+            expect("lights", light, Light)
+        self._state.set_lights(items)
 
     @property
     def materials(self) -> Materials:
@@ -112,6 +118,7 @@ class Scene:
 
     @camera.setter
     def camera(self, camera: Camera) -> None:
+        expect("camera", camera, Camera)
         self._state.camera = camera
 
     @property
@@ -130,6 +137,7 @@ class Scene:
 
     @fog.setter
     def fog(self, fog: Optional[Fog]) -> None:
+        expect("fog", fog, Optional[Fog])
         self._state.fog = fog
 
     @property
@@ -139,6 +147,7 @@ class Scene:
 
     @gradient.setter
     def gradient(self, gradient: Optional[BackgroundGradient]) -> None:
+        expect("gradient", gradient, Optional[BackgroundGradient])
         self._state.gradient = gradient
 
     @property
@@ -148,6 +157,7 @@ class Scene:
 
     @occlusion.setter
     def occlusion(self, occlusion: Optional[Occlusion]) -> None:
+        expect("occlusion", occlusion, Optional[Occlusion])
         self._state.occlusion = occlusion
 
     @property
@@ -165,6 +175,7 @@ class Scene:
         """The source whose conventions it began with: 'glint', 'epfl', ..."""
         return self._state.profile
 
+    @plain
     def use_profile(self, name: str) -> None:
         """Sets all conventions and settings to those of a source, one of glint.profiles."""
         self._state.apply_profile(name)
@@ -207,6 +218,7 @@ class Scene:
 
     # ---- Many shapes at once ----
 
+    @plain
     def spheres(
         self,
         centers: Arrays,
@@ -225,6 +237,7 @@ class Scene:
         """
         return self._state.add_spheres(centers, radii, _accept.to_colors(colors, colormap), material)
 
+    @plain
     def cylinders(
         self,
         from_: Arrays,
@@ -240,6 +253,7 @@ class Scene:
         colors = _accept.to_colors(colors, colormap)
         return self._state.add_cylinders(from_, to, radii, colors, material, caps)
 
+    @plain
     def triangles(
         self,
         vertices: Arrays,
@@ -254,9 +268,12 @@ class Scene:
 
         normals: of the vertices, in the same form, for smooth shading. colors: one, or (N, 3). See spheres().
         """
+        if normals is not None:
+            check_normals(normals)
         colors = _accept.to_colors(colors, colormap)
         return self._state.add_triangles(vertices, faces, normals, colors, material)
 
+    @plain
     def add_mesh(
         self,
         vertices: Arrays,
@@ -297,6 +314,7 @@ class Scene:
             vertices, faces, colors, normals=normals if smooth else None, material=material
         )
 
+    @plain
     def atoms(
         self,
         atoms: Any,
@@ -323,19 +341,20 @@ class Scene:
 
     # ---- Pictures and questions ----
 
+    @plain
     def render(
         self,
         *,
         size: Union[None, Tuple[int, int], str] = None,
         aa: Union[None, int, str] = None,
-        shading: Optional[str] = None,
+        shading: Optional[Shading] = None,
         reflections: Optional[int] = None,
         shadows: Optional[bool] = None,
         alpha: Optional[bool] = None,
         seed: Optional[int] = None,
         convention: Optional[Mapping[str, object]] = None,
         aov: Union[str, Sequence[str]] = (),
-        crop: Optional[Tuple[int, int, int, int]] = None,
+        crop: Union[None, Tuple[int, int, int, int], str] = None,
         threads: int = 0,
         isa: str = "",
         progress: Progress = None,
@@ -347,7 +366,7 @@ class Scene:
         in succession; alpha: True for a transparent background, which PNG and EXR files then have (the layer
         'alpha' is added to aov); seed: another number samples other places; convention: changes for this picture
         alone; aov: names of layers, or 'all'; 'light:NAME', or 'light:2' for scene.lights[1], is the picture with
-        this light alone; crop: (width, height, x, y), a part of the picture; threads: 0 for all, which changes
+        this light alone; crop: (width, height, x, y) or 'WIDTHxHEIGHT+X+Y', a part of the picture; threads: 0 for all, which changes
         nothing in the picture. progress: True for a bar, or a function that is called with the fraction done.
         Ctrl-C stops it.
         """
@@ -362,15 +381,19 @@ class Scene:
                 seed=seed,
             )
         ) + to_list(convention or {})
+        expect("aov", aov, Union[str, Sequence[str]])
+        if progress is not None and not callable(progress) and not isinstance(progress, bool):
+            raise TypeError(f"progress: expected True, False or a function, found {progress!r}")
         if aov == "all":
             aov = [info[0] for info in _glint.layer_infos()]
         elif isinstance(aov, str):
             aov = aov.split(",")
         with reporting(progress) as report:
             return Image._of(
-                self._state.render(settings, list(aov), crop, threads, isa, report), list(aov)
+                self._state.render(settings, list(aov), to_crop(crop), threads, isa, report), list(aov)
             )
 
+    @plain
     def cast(
         self, origins: Arrays, directions: Arrays, *, t_min: float = 0.0, t_max: float = float("inf")
     ) -> Hits:
@@ -387,7 +410,8 @@ class Scene:
         """
         return self._state.write_glint()
 
-    def to_bytes(self, format: str = "glb") -> bytes:
+    @plain
+    def to_bytes(self, format: SceneFormat = "glb") -> bytes:
         """A file of the scene for other programs: "glb" or "gltf" (docs/formats/gltf.md), or "glint".
 
         A GlintWarning names each kind of things that the format does not have.
