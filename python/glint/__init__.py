@@ -11,6 +11,7 @@ docs/python.md is the guide.
 """
 
 from ._classes import complete_classes
+from ._colors import ColorScale
 from ._diagnosis import Diagnosis, ProposedPixel, diagnose, propose_pixels
 from ._errors import GlintError, GlintWarning
 from ._glint import (
@@ -49,7 +50,7 @@ from ._values import Attenuation, Color, ColorLike, Vec3, VectorLike
 complete_classes()
 
 __all__ = [
-    "Attenuation", "BackgroundGradient", "Box", "Camera", "CameraFrame", "Color", "ColorLike", "Comparison", "Cone", "Cylinder",
+    "Attenuation", "BackgroundGradient", "Box", "Camera", "CameraFrame", "Color", "ColorLike", "ColorScale", "Comparison", "Cone", "Cylinder",
     "Diagnosis", "Diagnostic", "Disc", "Explanation", "Finding", "Fog", "GlintError", "GlintWarning", "Graded", "GradedPart", "Hits",
     "Image", "Light", "Material", "Mesh", "Occlusion", "Plane", "Polygon", "ProposedPixel", "Record", "Scene", "Shape", "SmoothTriangle", "Sphere",
     "Texture", "TraceLog", "Triangle", "Vec3", "VectorLike", "Versus", "check", "compare", "convert", "diagnose", "explain", "grade", "isa_names",

@@ -11,22 +11,6 @@ import numpy.typing as npt
 Array = npt.NDArray[Any]
 
 
-def to_colors(colors: Any, colormap: Any) -> Any:
-    """Values by a colormap, a matplotlib one or its name, scaled so that the least is 0 and the largest 1."""
-    if colormap is None:
-        return colors
-    values = np.asarray(colors, dtype=float)
-    if values.ndim != 1:
-        raise ValueError("with a colormap, colors are one number for each shape")
-    if isinstance(colormap, str):
-        import matplotlib  # type: ignore[import]
-
-        colormap = matplotlib.colormaps[colormap]
-    least, most = (values.min(), values.max()) if values.size else (0.0, 0.0)
-    scaled = (values - least) / (most - least) if most > least else np.zeros_like(values)
-    return np.asarray(colormap(scaled))[:, :3]
-
-
 def is_atoms(item: Any) -> bool:
     return hasattr(item, "get_positions") and hasattr(item, "get_atomic_numbers")
 

@@ -11,19 +11,17 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _accept, _glint
-from ._classes import check_normals
-from ._expect import Closed, expect, plain
-from ._glint import BackgroundGradient, Camera, Fog, Light, Material, Mesh, Occlusion, Shape, Texture
+from ._expect import expect, plain
+from ._glint import BackgroundGradient, Camera, Fog, Light, Material, Occlusion, Shape, Texture
 from ._image import Image
 from ._lists import Lights, Materials, Shapes, Textures
+from ._many import Arrays, ManyShapes
 from ._progress import Progress, reporting
 from ._settings import Settings, to_crop, to_list
 from ._values import Color, ColorLike
 from ._words import SceneFormat, Shading
 
 Added = TypeVar("Added", bound=Union[Light, Material, Shape, Texture])
-Arrays = Any
-"""Numbers as NumPy arrays or what NumPy makes arrays of."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -48,7 +46,7 @@ class Hits:
         return len(self.t)
 
 
-class Scene(Closed):
+class Scene(ManyShapes):
     """Shapes, materials, lights, a camera, conventions and settings.
 
     The next picture prepares only what has changed since the last one: a new light, material or camera takes
@@ -215,129 +213,6 @@ class Scene(Closed):
         else:
             raise TypeError(f"glint cannot add {type(item).__name__!r} to a scene")
         return item
-
-    # ---- Many shapes at once ----
-
-    @plain
-    def spheres(
-        self,
-        centers: Arrays,
-        radii: Arrays = 1.0,
-        colors: Any = None,
-        *,
-        material: Optional[Material] = None,
-        colormap: Any = None,
-    ) -> range:
-        """Adds N spheres and returns the range of their numbers.
-
-        centers: (N, 3), in the scene's units; radii: one number or (N,), > 0; colors: one color, or (N, 3), or
-        None for the material's; material: what all have but for the color. (N, 3) colors become those of the
-        shapes (shape.color), in single precision. With a colormap (matplotlib's, or
-        its name), colors is one number for each sphere.
-        """
-        return self._state.add_spheres(centers, radii, _accept.to_colors(colors, colormap), material)
-
-    @plain
-    def cylinders(
-        self,
-        from_: Arrays,
-        to: Arrays,
-        radii: Arrays = 1.0,
-        colors: Any = None,
-        *,
-        material: Optional[Material] = None,
-        colormap: Any = None,
-        caps: bool = True,
-    ) -> range:
-        """Adds N cylinders between points (N, 3) and (N, 3). caps: their ends are closed. See spheres()."""
-        colors = _accept.to_colors(colors, colormap)
-        return self._state.add_cylinders(from_, to, radii, colors, material, caps)
-
-    @plain
-    def triangles(
-        self,
-        vertices: Arrays,
-        faces: Optional[Arrays] = None,
-        colors: Any = None,
-        *,
-        normals: Optional[Arrays] = None,
-        material: Optional[Material] = None,
-        colormap: Any = None,
-    ) -> range:
-        """Adds N triangles: vertices (N, 3, 3), or vertices (V, 3) and their indices, faces (N, 3).
-
-        normals: of the vertices, in the same form, for smooth shading. colors: one, or (N, 3). See spheres().
-        """
-        if normals is not None:
-            check_normals(normals)
-        colors = _accept.to_colors(colors, colormap)
-        return self._state.add_triangles(vertices, faces, normals, colors, material)
-
-    @plain
-    def add_mesh(
-        self,
-        vertices: Arrays,
-        faces: Arrays,
-        *,
-        normals: Optional[Arrays] = None,
-        colors: Any = None,
-        texture_coordinates: Optional[Arrays] = None,
-        material: Optional[Material] = None,
-        transform: Any = None,
-        name: str = "",
-    ) -> Mesh:
-        """Adds triangles with common vertices as one shape, and returns it.
-
-        vertices: (V, 3), kept as float32 if they are that, else as float64; faces: (N, 3), the numbers of the
-        vertices, counter-clockwise around the normal. normals: (V, 3), of any length, for smooth shading;
-        colors: (V, 3), linear, which are interpolated. The material's own color is used without them.
-        texture_coordinates: (V, 2), u and v of the material's texture, interpolated; u goes to the right and v up,
-        and (0, 0) is the lower left corner of the picture. A
-        mesh of which a scene has many copies is stored once: add(glint.Mesh(...)) again, or copies of it with
-        other transforms.
-        ValueError names the row of a number beyond 1e12, or of a face without three vertices of the list.
-        """
-        mesh = Mesh(vertices, faces, normals, colors, texture_coordinates, name=name)
-        if material is not None:
-            mesh.material = material
-        if transform is not None:
-            mesh.transform = transform
-        self._state.add_shape(mesh)
-        return mesh
-
-    def mesh(
-        self, mesh: Any, colors: Any = None, *, material: Optional[Material] = None, smooth: bool = True
-    ) -> range:
-        """Adds an object with `vertices` and `faces` (of three or more corners); smooth: by its `normals`."""
-        vertices, faces, normals = _accept.mesh_arrays(mesh)
-        return self.triangles(
-            vertices, faces, colors, normals=normals if smooth else None, material=material
-        )
-
-    @plain
-    def atoms(
-        self,
-        atoms: Any,
-        *,
-        scale: float = 0.5,
-        bonds: Union[bool, Arrays] = True,
-        bond_radius: float = 0.12,
-        bond_color: ColorLike = (0.6, 0.6, 0.6),
-        material: Optional[Material] = None,
-    ) -> range:
-        """Adds ASE's atoms: a sphere of `scale` times the covalent radius for each, in Jmol's colors.
-
-        bonds: cylinders between atoms that are near enough, or pairs (M, 2) of indices, or False. Lengths are
-        in angstrom, as in ASE. Returns the range of the atoms' numbers.
-        """
-        positions, radii, colors = _accept.atom_arrays(atoms)
-        added = self.spheres(positions, scale * radii, colors, material=material)
-        if bonds is not False:
-            pairs = _accept.find_bonds(positions, radii) if bonds is True else np.asarray(bonds)
-            if len(pairs):
-                ends = positions[pairs[:, 0]], positions[pairs[:, 1]]
-                self.cylinders(*ends, bond_radius, bond_color, material=material, caps=False)
-        return added
 
     # ---- Pictures and questions ----
 

@@ -79,8 +79,7 @@ struct Look {
 Look add_look(SceneState& state, const py::object& colors, const py::object& material, std::size_t count) {
     const auto box = material.is_none() ? nullptr : material.cast<std::shared_ptr<MaterialBox>>();
     if (colors.is_none()) return {state.add(box)};
-    const auto array =
-        is_number(colors) || py::isinstance<py::str>(colors) ? Doubles() : doubles(colors, "colors");
+    auto array = is_number(colors) || py::isinstance<py::str>(colors) ? Doubles() : doubles(colors, "colors");
     if (array.ndim() != 2) {
         const Color one = to_color(colors, "colors", k_channel);
         const Material colored = with_color(box ? box->value : Material{}, one);
@@ -91,6 +90,10 @@ Look add_look(SceneState& state, const py::object& colors, const py::object& mat
     if (static_cast<std::size_t>(array.shape(0)) != count || (channels != 3 && channels != 4))
         throw py::value_error(fmt::format(
             "colors: expected one color or an array of {} x 3 numbers, found {}", count, shape_text(array)));
+    if (py::isinstance<py::array_t<std::uint8_t>>(colors)) {  // of which doubles() made a copy
+        double* const channel = array.mutable_data();
+        for (py::ssize_t i = 0; i < array.size(); ++i) channel[i] /= 255;
+    }
     const double* c = array.data();
     for (py::ssize_t i = 0; i < array.size(); ++i)
         if (!k_channel.contains(c[i]))

@@ -54,7 +54,7 @@ def test_attributes_are_those_of_the_tables():
         (lambda m: setattr(m, "mirror", 2), "mirror: expected a number from 0 to 1, found 2"),
         (lambda m: setattr(m, "mirror", "x"), "mirror: expected a number from 0 to 1, found 'x'"),
         (lambda m: setattr(m, "color", (1, 2)), "color: expected a color: three numbers"),
-        (lambda m: setattr(m, "color", "red"), "'#rrggbb', found 'red'"),
+        (lambda m: setattr(m, "color", "rde"), "such as 'red', found 'rde'"),
         (lambda m: setattr(m, "shininess", float("nan")), "shininess: expected"),
         (lambda m: setattr(m, "casts_shadow", 1), "casts_shadow: expected True or False, found 1"),
     ],
