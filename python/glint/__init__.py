@@ -14,6 +14,7 @@ from ._classes import complete_classes
 from ._colors import ColorScale
 from ._diagnosis import Diagnosis, ProposedPixel, diagnose, propose_pixels
 from ._errors import GlintError, GlintWarning
+from ._framing import add_methods
 from ._glint import (
     BackgroundGradient,
     Box,
@@ -48,6 +49,7 @@ from ._trace_log import TraceLog
 from ._values import Attenuation, Color, ColorLike, Vec3, VectorLike
 
 complete_classes()
+add_methods()
 
 __all__ = [
     "Attenuation", "BackgroundGradient", "Box", "Camera", "CameraFrame", "Color", "ColorLike", "ColorScale", "Comparison", "Cone", "Cylinder",

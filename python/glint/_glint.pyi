@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # Types of the extension module. The fields of lights, materials and cameras are those of src/scene/*_fields.h;
 # a test compares this file with the module.
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
 
+from ._scene import Scene
 from ._values import Attenuation, Color, ColorLike, Vec3, VectorLike
 from ._words import (
     FogKind,
@@ -282,6 +283,16 @@ class Camera:
     projection: Projection
     fov_axis: FovAxis
     frame: Optional[CameraFrame]
+    def fit(
+        self,
+        scene: Union[Scene, Tuple[VectorLike, VectorLike]],
+        direction: Union[str, VectorLike] = ...,
+        margin: float = ...,
+        *,
+        up: Optional[VectorLike] = ...,
+        size: Optional[Tuple[int, int]] = ...,
+    ) -> Camera: ...
+    def orbit(self, right: float = ..., up: float = ...) -> Camera: ...
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> Camera: ...
     def __deepcopy__(self, memo: Dict[Any, Any]) -> Camera: ...
@@ -591,6 +602,7 @@ class SceneState:
     ) -> Tuple[
         npt.NDArray[np.float64], npt.NDArray[np.int64], npt.NDArray[np.float64], npt.NDArray[np.float64]
     ]: ...
+    def bounds(self) -> Optional[Tuple[Vec3, Vec3]]: ...
     def load_texts(
         self,
         texts: Sequence[Tuple[str, bytes, str]],

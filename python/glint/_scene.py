@@ -5,20 +5,21 @@ from __future__ import annotations
 
 import dataclasses
 import warnings
-from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, TypeVar, Union, overload
+from typing import Any, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, TypeVar, Union, overload
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _accept, _glint
 from ._expect import expect, plain
+from ._framing import frame_unset
 from ._glint import BackgroundGradient, Camera, Fog, Light, Material, Occlusion, Shape, Texture
 from ._image import Image
 from ._lists import Lights, Materials, Shapes, Textures
 from ._many import Arrays, ManyShapes
 from ._progress import Progress, reporting
 from ._settings import Settings, to_crop, to_list
-from ._values import Color, ColorLike
+from ._values import Color, ColorLike, Vec3
 from ._words import SceneFormat, Shading
 
 Added = TypeVar("Added", bound=Union[Light, Material, Shape, Texture])
@@ -65,6 +66,7 @@ class Scene(ManyShapes):
         occlusion: Optional[Occlusion] = None,
     ) -> None:
         self._state = _glint.SceneState()
+        self._framed: Optional[Camera] = self._state.camera.__copy__()
         if size is not None:
             self.settings["size"] = size
         if background is not None:
@@ -111,13 +113,24 @@ class Scene(ManyShapes):
 
     @property
     def camera(self) -> Camera:
-        """The camera: scene.camera.position = (0, 1, 5)."""
+        """The camera: scene.camera.position = (0, 1, 5).
+
+        Until it is set or changed, each picture of a scene made in Python frames all shapes, seen from (1, 1, 1), as
+        scene.camera.fit(scene) does. A scene that was read from a file has the file's camera.
+        """
         return self._state.camera
 
     @camera.setter
     def camera(self, camera: Camera) -> None:
         expect("camera", camera, Camera)
         self._state.camera = camera
+        self._framed = None
+
+    @property
+    def bounds(self) -> Optional[Tuple[Vec3, Vec3]]:
+        """(min, max), the least and the greatest coordinates of all shapes in world space, a little rounded outwards;
+        None if there are none. Planes without bounds do not count."""
+        return self._state.bounds()
 
     @property
     def background(self) -> Color:
@@ -263,6 +276,7 @@ class Scene(ManyShapes):
             aov = [info[0] for info in _glint.layer_infos()]
         elif isinstance(aov, str):
             aov = aov.split(",")
+        frame_unset(self, size)
         with reporting(progress) as report:
             return Image._of(
                 self._state.render(settings, list(aov), to_crop(crop), threads, isa, report), list(aov)
@@ -283,6 +297,7 @@ class Scene(ManyShapes):
 
         Textures that were read from files are written as the names of these files (Texture.file), others as texels.
         """
+        frame_unset(self)
         return self._state.write_glint()
 
     @plain
@@ -291,13 +306,28 @@ class Scene(ManyShapes):
 
         A GlintWarning names each kind of things that the format does not have.
         """
+        frame_unset(self)
         return self._state.write_scene(format)
+
+    def turntable(self, frames: int = 36, **options: Any) -> Iterator[Image]:
+        """Pictures of one turn around the point that the camera looks at, one after the other, from where it is.
+
+        frames: how many; options: those of render(). The camera is then where it was.
+        """
+        expect("frames", frames, int)
+        frame_unset(self, options.get("size"))
+        turned = self.copy()
+        turned._framed = None
+        for _ in range(frames):
+            yield turned.render(**options)
+            turned.camera.orbit(360 / frames)
 
     def copy(self) -> Scene:
         """A scene of its own, with objects of its own; what was prepared is shared."""
         copy = type(self).__new__(type(self))
         copy._state = _glint.SceneState()
         copy._state.copy_from(self._state)
+        copy._framed = self._framed
         return copy
 
     def __copy__(self) -> Scene:
@@ -307,6 +337,7 @@ class Scene(ManyShapes):
         return self.copy()
 
     def __reduce__(self) -> Tuple[Any, ...]:
+        frame_unset(self)
         return _unpickled, (self._state.write_whole_glint(),)
 
     def __eq__(self, other: object) -> bool:

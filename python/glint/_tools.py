@@ -12,6 +12,7 @@ from typing import Any, List, Mapping, Optional, Sequence, Tuple, Union
 from . import _glint
 from ._expect import expect, plain
 from ._files import write_file
+from ._framing import frame_unset
 from ._image import Image, PathLike, to_image
 from ._progress import Progress, reporting
 from ._reports import Comparison, Explanation
@@ -41,6 +42,7 @@ def _load(
         profile_text = profile, pathlib.Path(profile).read_bytes()
         profile = ""
     scene = Scene()
+    scene._framed = None  # the camera is the file's
     with reporting(progress) as report:
         scene._state.load_texts(
             texts,
@@ -147,8 +149,11 @@ def loads(
     )
 
 
-def to_scene(scene: SceneLike) -> Scene:
-    return scene if isinstance(scene, Scene) else load(scene)
+def to_scene(scene: SceneLike, size: Union[None, Tuple[int, int], str] = None) -> Scene:
+    if not isinstance(scene, Scene):
+        return load(scene)
+    frame_unset(scene, size)
+    return scene
 
 
 @plain
@@ -177,7 +182,7 @@ def explain(
         raise ValueError(f"fold must be 0 or more, not {fold}")
     settings = dict(size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows, seed=seed)
     listed = to_list(settings) + to_list(convention or {})
-    data, text = to_scene(scene)._state.explain(x, y, listed, sample, fold, None)
+    data, text = to_scene(scene, size)._state.explain(x, y, listed, sample, fold, None)
     return Explanation(json.loads(data), text)
 
 

@@ -240,13 +240,21 @@ py::tuple cast(SceneState& state, const py::object& origins, const py::object& d
     return py::make_tuple(t, shapes, hit_points, normals);
 }
 
+// (min, max) of the bounded shapes; None if there are none.
+py::object bounds_of(SceneState& state) {
+    const Bounds bounds = scene_bounds(state.prepare({}, py::none(), 0, true).world);
+    if (bounds.min.x > bounds.max.x) return py::none();
+    return py::make_tuple(to_python(bounds.min), to_python(bounds.max));
+}
+
 }  // namespace
 
 void bind_arrays(py::class_<SceneState, std::shared_ptr<SceneState>>& cls) {
     cls.def("add_spheres", &add_spheres)
         .def("add_cylinders", &add_cylinders)
         .def("add_triangles", &add_triangles)
-        .def("cast_rays", &cast);
+        .def("cast_rays", &cast)
+        .def("bounds", &bounds_of);
 }
 
 }  // namespace glint::python
