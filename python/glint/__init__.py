@@ -44,6 +44,7 @@ from ._image import Image
 from ._reports import Comparison, Explanation, Record
 from ._scene import Hits, Scene
 from ._settings import profiles, setting_infos
+from ._show import show
 from ._tools import Finding, Versus, check, compare, convert, explain, load, loads, versus
 from ._trace_log import TraceLog
 from ._values import Attenuation, Color, ColorLike, Vec3, VectorLike
@@ -56,5 +57,5 @@ __all__ = [
     "Diagnosis", "Diagnostic", "Disc", "Explanation", "Finding", "Fog", "GlintError", "GlintWarning", "Graded", "GradedPart", "Hits",
     "Image", "Light", "Material", "Mesh", "Occlusion", "Plane", "Polygon", "ProposedPixel", "Record", "Scene", "Shape", "SmoothTriangle", "Sphere",
     "Texture", "TraceLog", "Triangle", "Vec3", "VectorLike", "Versus", "check", "compare", "convert", "diagnose", "explain", "grade", "isa_names",
-    "load", "loads", "profiles", "propose_pixels", "setting_infos", "versus",
+    "load", "loads", "profiles", "propose_pixels", "setting_infos", "show", "versus",
 ]

@@ -147,13 +147,51 @@ class ManyShapes(Closed):
         self._state.add_shape(mesh)
         return mesh
 
+    @plain
     def mesh(
-        self, mesh: Any, colors: Any = None, *, material: Optional[Material] = None, smooth: bool = True
+        self,
+        mesh: Any,
+        colors: Any = None,
+        *,
+        values: Any = None,
+        colormap: Union[None, Colormap, ColorScale] = None,
+        vmin: Optional[float] = None,
+        vmax: Optional[float] = None,
+        norm: Norm = None,
+        nan_color: ColorLike = 0.5,
+        material: Optional[Material] = None,
+        smooth: bool = True,
     ) -> range:
-        """Adds an object with `vertices` and `faces` (of three or more corners); smooth: by its `normals`."""
-        vertices, faces, normals = _accept.mesh_arrays(mesh)
+        """Adds a mesh of trimesh, pyvista or meshio, or any object with `vertices` and `faces` of three or more corners.
+
+        colors: one, (N, 3) of triangles, or (V, 3) of vertices, which are interpolated; by default those of trimesh's
+        `visual`. values: (N,) or (V,), as for spheres(); by default pyvista's `active_scalars`. Where there are as many
+        triangles as vertices, they are of the triangles. smooth: by the mesh's normals of vertices, if it has them.
+        Returns the range of the shapes' numbers: triangles, or one Mesh if there are colors of vertices.
+        """
+        found = _accept.mesh_arrays(mesh)
+        normals = found.normals if smooth else None
+        if colors is None and values is None:
+            colors, values = found.colors, found.values if found.colors is None else None
+        each = colors if values is None else values
+        count = rows_of(each) if each is not None and not isinstance(each, str) else None
+        is_of_vertices = count == len(found.vertices) and count != len(found.triangles) and np.ndim(each) > 0
+        if is_of_vertices and (values is not None or colormap is not None or np.ndim(each) == 2 or isinstance(each[0], str)):
+            given = colors_of(colors, values, colormap, vmin, vmax, norm, nan_color, count)
+            self.add_mesh(found.vertices, found.triangles, normals=normals, colors=given, material=material)
+            return range(self._state.shape_count() - 1, self._state.shape_count())
         return self.triangles(
-            vertices, faces, colors, normals=normals if smooth else None, material=material
+            found.vertices,
+            found.triangles,
+            colors,
+            values=values,
+            colormap=colormap,
+            vmin=vmin,
+            vmax=vmax,
+            norm=norm,
+            nan_color=nan_color,
+            normals=normals,
+            material=material,
         )
 
     @plain
@@ -167,10 +205,10 @@ class ManyShapes(Closed):
         bond_color: ColorLike = (0.6, 0.6, 0.6),
         material: Optional[Material] = None,
     ) -> range:
-        """Adds ASE's atoms: a sphere of `scale` times the covalent radius for each, in Jmol's colors.
+        """Adds the atoms of ASE, Open Babel or MDAnalysis: a sphere of `scale` times the covalent radius for each, in Jmol's colors.
 
         bonds: cylinders between atoms that are near enough, or pairs (M, 2) of indices, or False. Lengths are
-        in angstrom, as in ASE. Returns the range of the atoms' numbers.
+        in angstrom. Without ASE, radii and colors of rare elements are 1.2 and pink. Returns the range of the atoms' numbers.
         """
         positions, radii, colors = _accept.atom_arrays(atoms)
         added = self.spheres(positions, scale * radii, colors, material=material)

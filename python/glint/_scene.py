@@ -206,8 +206,8 @@ class Scene(ManyShapes):
     def add(self, item: Any, **options: Any) -> Any:
         """Adds a shape, a light, a material, a texture or a camera, and returns it: later changes of it are seen.
 
-        Of other packages, ASE's atoms (see atoms()) and objects with `vertices` and `faces` (see mesh());
-        these return the range of their shapes' numbers.
+        Of other packages, atoms of ASE, Open Babel and MDAnalysis (see atoms()) and meshes of trimesh, pyvista and
+        meshio (see mesh()); these return the range of their shapes' numbers.
         """
         if isinstance(item, Light):
             self._state.add_light(item)
