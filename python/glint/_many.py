@@ -10,7 +10,7 @@ import numpy as np
 from . import _accept, _glint
 from ._classes import check_normals
 from ._colors import Colormap, ColorScale, Norm, colors_of
-from ._expect import Closed, plain
+from ._expect import Closed, plain, shown
 from ._glint import Material, Mesh
 from ._values import ColorLike
 
@@ -169,6 +169,8 @@ class ManyShapes(Closed):
         triangles as vertices, they are of the triangles. smooth: by the mesh's normals of vertices, if it has them.
         Returns the range of the shapes' numbers: triangles, or one Mesh if there are colors of vertices.
         """
+        if not _accept.is_mesh(mesh):
+            raise TypeError(f"mesh: expected an object with vertices and faces, found {shown(mesh)}")
         found = _accept.mesh_arrays(mesh)
         normals = found.normals if smooth else None
         if colors is None and values is None:
@@ -210,6 +212,8 @@ class ManyShapes(Closed):
         bonds: cylinders between atoms that are near enough, or pairs (M, 2) of indices, or False. Lengths are
         in angstrom. Without ASE, radii and colors of rare elements are 1.2 and pink. Returns the range of the atoms' numbers.
         """
+        if not _accept.is_atoms(atoms):
+            raise TypeError(f"atoms: expected atoms of ASE, Open Babel or MDAnalysis, found {shown(atoms)}")
         positions, radii, colors = _accept.atom_arrays(atoms)
         added = self.spheres(positions, scale * radii, colors, material=material)
         if bonds is not False:

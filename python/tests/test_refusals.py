@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import glint
+from glint import _expect
 
 pytestmark = pytest.mark.filterwarnings("ignore::glint.GlintWarning")
 
@@ -110,6 +111,14 @@ def test_a_crop_as_the_command_has_it(scene):
 def test_out_of_memory_says_the_size():
     with pytest.raises(MemoryError, match="60000x60000 pixels need"):
         glint.Scene().render(size=(60000, 60000))
+
+    @_expect.plain
+    def spheres(centers, radii=1.0):
+        raise MemoryError("std::bad_alloc")
+
+    with pytest.raises(MemoryError) as raised:
+        spheres(np.zeros((5, 3)), radii=2)
+    assert str(raised.value) == "spheres(): out of memory for centers of 5 x 3 numbers"
 
 
 def test_empty_atoms():

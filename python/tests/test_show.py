@@ -127,6 +127,8 @@ def test_show_of_scenes_and_shapes(scene):
     "call, error, message",
     [
         (lambda: glint.show(3), TypeError, "glint cannot add 'int' to a scene"),
+        (lambda: glint.Scene().mesh(3), TypeError, "mesh: expected an object with vertices and faces, found 3"),
+        (lambda: glint.Scene().atoms(3), TypeError, "atoms: expected atoms of ASE, Open Babel or MDAnalysis, found 3"),
         (lambda: glint.show(), ValueError, "the scene has nothing to fit"),
         (lambda: glint.show(Stand(points=VERTICES, cells=[])), ValueError, "the mesh has no triangles"),
         (lambda: glint.show(MESHES["trimesh"], values=[1, 2, 3]), ValueError, "values: expected one number for each, 2, found 3"),

@@ -108,6 +108,21 @@ def test_answers_are_pickled(scene):
     assert pickle.loads(pickle.dumps(scene.settings)) == dict(scene.settings)
 
 
+@pytest.mark.filterwarnings("ignore::glint.GlintWarning")
+def test_diagnoses_are_pickled_with_their_trees():
+    scene = glint.loads("camera { position = (0, 0, 4) look_at = (0, 0, 0) fov_x = 50 } sphere { center = (0, 0, 0) radius = 1 }")
+    with glint.TraceLog([(20, 18)], size=(64, 48)) as log:
+        log.pixel(20, 18)
+        with log.ray("camera"):
+            log.value("t", 9.0)
+    answer = glint.diagnose(scene, log)
+    for made in (pickle.loads(pickle.dumps(answer)), copy.deepcopy(answer)):
+        assert str(made) == str(answer) and made.tree(20, 18) == answer.tree(20, 18)
+        assert pickle.loads(pickle.dumps(made)).tree(20, 18) == answer.tree(20, 18)
+        with pytest.raises(KeyError):
+            made.tree(0, 0)
+
+
 def test_signatures_have_names_and_defaults():
     assert str(inspect.signature(glint.Sphere)) == (
         "(center=(0.0, 0.0, 0.0), radius=1.0, *, material=None, color=None, transform=None, name='')"
