@@ -10,8 +10,11 @@
 docs/python.md is the guide.
 """
 
+from ._classes import complete_classes
+from ._colors import ColorScale
 from ._diagnosis import Diagnosis, ProposedPixel, diagnose, propose_pixels
 from ._errors import GlintError, GlintWarning
+from ._framing import add_methods
 from ._glint import (
     BackgroundGradient,
     Box,
@@ -41,14 +44,18 @@ from ._image import Image
 from ._reports import Comparison, Explanation, Record
 from ._scene import Hits, Scene
 from ._settings import profiles, setting_infos
+from ._show import show
 from ._tools import Finding, Versus, check, compare, convert, explain, load, loads, versus
 from ._trace_log import TraceLog
 from ._values import Attenuation, Color, ColorLike, Vec3, VectorLike
 
+complete_classes()
+add_methods()
+
 __all__ = [
-    "Attenuation", "BackgroundGradient", "Box", "Camera", "CameraFrame", "Color", "ColorLike", "Comparison", "Cone", "Cylinder",
+    "Attenuation", "BackgroundGradient", "Box", "Camera", "CameraFrame", "Color", "ColorLike", "ColorScale", "Comparison", "Cone", "Cylinder",
     "Diagnosis", "Diagnostic", "Disc", "Explanation", "Finding", "Fog", "GlintError", "GlintWarning", "Graded", "GradedPart", "Hits",
     "Image", "Light", "Material", "Mesh", "Occlusion", "Plane", "Polygon", "ProposedPixel", "Record", "Scene", "Shape", "SmoothTriangle", "Sphere",
     "Texture", "TraceLog", "Triangle", "Vec3", "VectorLike", "Versus", "check", "compare", "convert", "diagnose", "explain", "grade", "isa_names",
-    "load", "loads", "profiles", "propose_pixels", "setting_infos", "versus",
+    "load", "loads", "profiles", "propose_pixels", "setting_infos", "show", "versus",
 ]

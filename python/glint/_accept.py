@@ -1,57 +1,104 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Objects of other packages: atoms of ASE, meshes, matplotlib's colormaps. None of them is imported for that."""
+"""Objects of other packages, known by their attributes: atoms of ASE, Open Babel and MDAnalysis; meshes of trimesh, pyvista
+and meshio. None of these packages is imported for that."""
 
 from __future__ import annotations
 
-from typing import Any, Optional, Tuple
+from typing import Any, List, NamedTuple, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
 
+from ._elements import looks_of, numbers_of
+
 Array = npt.NDArray[Any]
 
 
-def to_colors(colors: Any, colormap: Any) -> Any:
-    """Values by a colormap, a matplotlib one or its name, scaled so that the least is 0 and the largest 1."""
-    if colormap is None:
-        return colors
-    values = np.asarray(colors, dtype=float)
-    if values.ndim != 1:
-        raise ValueError("with a colormap, colors are one number for each shape")
-    if isinstance(colormap, str):
-        import matplotlib  # type: ignore[import]
+def _list_of_atoms(item: Any) -> Any:
+    """Open Babel's atoms: those of a pybel.Molecule, or of an OBMol."""
+    if hasattr(item, "NumAtoms") and hasattr(item, "GetAtom"):
+        return [item.GetAtom(i + 1) for i in range(item.NumAtoms())]
+    return item.atoms
 
-        colormap = matplotlib.colormaps[colormap]
-    least, most = (values.min(), values.max()) if values.size else (0.0, 0.0)
-    scaled = (values - least) / (most - least) if most > least else np.zeros_like(values)
-    return np.asarray(colormap(scaled))[:, :3]
+
+def _is_group(item: Any) -> bool:
+    """MDAnalysis: a Universe or an AtomGroup."""
+    return hasattr(getattr(item, "atoms", None), "positions")
 
 
 def is_atoms(item: Any) -> bool:
-    return hasattr(item, "get_positions") and hasattr(item, "get_atomic_numbers")
+    if hasattr(item, "get_positions") and hasattr(item, "get_atomic_numbers"):
+        return True
+    if hasattr(item, "NumAtoms") and hasattr(item, "GetAtom"):
+        return True
+    atoms: Any = getattr(item, "atoms", None)
+    is_list = isinstance(atoms, (list, tuple))
+    return _is_group(item) or (is_list and all(hasattr(a, "coords") and hasattr(a, "atomicnum") for a in atoms))
 
 
-def atom_arrays(atoms: Any) -> Tuple[Array, Array, Array]:
-    """Positions, covalent radii (both in angstrom) and Jmol's colors of ASE's atoms."""
-    from ase.data import covalent_radii  # type: ignore[import]
-    from ase.data.colors import jmol_colors  # type: ignore[import]
-
-    numbers = atoms.get_atomic_numbers()
-    return np.asarray(atoms.get_positions(), float), covalent_radii[numbers], jmol_colors[numbers]
+def atom_arrays(item: Any) -> Tuple[Array, Array, Array]:
+    """Positions, covalent radii (both in angstrom) and Jmol's colors."""
+    if hasattr(item, "get_positions"):
+        positions, numbers = item.get_positions(), item.get_atomic_numbers()
+    elif _is_group(item):
+        positions = item.atoms.positions
+        words = [getattr(item.atoms, name, None) for name in ("elements", "types", "names")]
+        known = [of_atoms for of_atoms in words if of_atoms is not None]
+        numbers = numbers_of(known[0]) if known else [0] * len(positions)
+    else:
+        atoms = _list_of_atoms(item)
+        if hasattr(item, "NumAtoms"):
+            positions = [(a.GetX(), a.GetY(), a.GetZ()) for a in atoms]
+            numbers = [a.GetAtomicNum() for a in atoms]
+        else:
+            positions, numbers = [a.coords for a in atoms], [a.atomicnum for a in atoms]
+    return np.asarray(positions, float).reshape(-1, 3), *looks_of(numbers)
 
 
 def find_bonds(positions: Array, radii: Array, tolerance: float = 0.3) -> Array:
     """Pairs of atoms nearer than the sum of their covalent radii and the tolerance in angstrom: M x 2 indices."""
-    from scipy.spatial import cKDTree  # type: ignore[import]
+    if len(positions) < 2:
+        return np.zeros((0, 2), np.int64)
+    reach = 2 * radii.max() + tolerance
+    try:
+        from scipy.spatial import cKDTree  # type: ignore[import]
 
-    pairs = cKDTree(positions).query_pairs(2 * radii.max() + tolerance, output_type="ndarray")
+        pairs = cKDTree(positions).query_pairs(reach, output_type="ndarray")
+    except ImportError:
+        pairs = _near_pairs(positions, reach)
     distances = np.linalg.norm(positions[pairs[:, 0]] - positions[pairs[:, 1]], axis=1)
     near: Array = pairs[distances < radii[pairs[:, 0]] + radii[pairs[:, 1]] + tolerance]
     return near
 
 
+def _near_pairs(positions: Array, reach: float) -> Array:
+    """Pairs whose x differ by less than reach, without scipy."""
+    order = np.argsort(positions[:, 0], kind="stable")
+    x = positions[order, 0]
+    ends = np.searchsorted(x, x + reach)
+    pairs: List[Array] = [np.zeros((0, 2), np.int64)]
+    for i, end in enumerate(ends):
+        others = order[i + 1:end]
+        near = others[np.abs(positions[others] - positions[order[i]]).max(axis=1, initial=0.0) < reach]
+        pairs.append(np.column_stack([np.full(len(near), order[i]), near]))
+    return np.concatenate(pairs)
+
+
+class MeshArrays(NamedTuple):
+    vertices: Array
+    triangles: Array
+    normals: Optional[Array]
+    """(V, 3), or None."""
+    colors: Optional[Array]
+    """(V, 3) or (N, 3), or None."""
+    values: Optional[Array]
+    """(V,), or None."""
+
+
 def is_mesh(item: Any) -> bool:
-    return hasattr(item, "vertices") and hasattr(item, "faces")
+    if hasattr(item, "vertices") and hasattr(item, "faces"):
+        return True
+    return hasattr(item, "points") and any(hasattr(item, name) for name in ("faces", "cells", "extract_surface"))
 
 
 def triangle_faces(faces: Any) -> Array:
@@ -70,12 +117,65 @@ def triangle_faces(faces: Any) -> Array:
     return np.asarray(fan, np.int64).reshape(-1, 3)
 
 
-def mesh_arrays(mesh: Any) -> Tuple[Array, Array, Optional[Array]]:
-    """Vertices (N x 3), triangles (M x 3) and, if the mesh has them, the vertices' normals."""
-    vertices = np.asarray(mesh.vertices, float).reshape(-1, 3)
-    normals = getattr(mesh, "normals", None)
-    if normals is not None:
-        normals = np.asarray(normals, float)
-        if normals.shape != vertices.shape:
-            normals = None
-    return vertices, triangle_faces(mesh.faces), normals
+def _flat_faces(flat: Array) -> Array:
+    """pyvista's: the number of corners before the corners of each face."""
+    if len(flat) % 4 == 0 and (flat[::4] == 3).all():
+        triangles: Array = flat.reshape(-1, 4)[:, 1:]
+        return triangles
+    faces, at = [], 0
+    while at < len(flat):
+        faces.append(flat[at + 1:at + 1 + flat[at]])
+        at += 1 + int(flat[at])
+    return triangle_faces(faces)
+
+
+def _triangles(mesh: Any) -> Array:
+    if hasattr(mesh, "vertices"):
+        return triangle_faces(mesh.faces)
+    if hasattr(mesh, "faces"):
+        faces = np.asarray(mesh.faces, np.int64)
+        return _flat_faces(faces) if faces.ndim == 1 else triangle_faces(faces)
+    blocks = [np.zeros((0, 3), np.int64)]
+    for block in mesh.cells:  # meshio's
+        if str(block.type).startswith(("triangle", "quad", "polygon")):
+            corners = {"triangle6": 3, "triangle7": 3, "quad8": 4, "quad9": 4}.get(str(block.type))
+            blocks.append(triangle_faces([face[:corners] for face in block.data] if corners else block.data))
+    if len(blocks) == 1:
+        raise ValueError("the mesh has no triangles, quadrangles or polygons")
+    return np.concatenate(blocks)
+
+
+def _normals(mesh: Any, vertices: Array, triangles: Array) -> Optional[Array]:
+    for name in ("vertex_normals", "normals", "point_normals"):
+        given = getattr(mesh, name, None)
+        if given is None or callable(given):
+            continue
+        normals = np.array(given, float)
+        if normals.shape == vertices.shape:
+            zero = ~normals.any(axis=1) | ~np.isfinite(normals).all(axis=1)
+            if zero[triangles].any():
+                return None
+            normals[zero] = (0, 0, 1)  # of vertices that no triangle has
+            return normals
+    return None
+
+
+def mesh_arrays(mesh: Any) -> MeshArrays:
+    """A mesh of trimesh, pyvista or meshio, or of any class with the same attributes."""
+    if not hasattr(mesh, "vertices") and not hasattr(mesh, "faces") and hasattr(mesh, "extract_surface"):
+        mesh = mesh.extract_surface()
+    points = mesh.vertices if hasattr(mesh, "vertices") else mesh.points
+    vertices = np.asarray(points, float)
+    if vertices.ndim == 2 and vertices.shape[1] == 2:
+        vertices = np.pad(vertices, ((0, 0), (0, 1)))
+    vertices = vertices.reshape(-1, 3)
+    triangles = _triangles(mesh)
+    visual: Any = getattr(mesh, "visual", None)
+    colors = None
+    if getattr(visual, "kind", None) in ("vertex", "face"):
+        colors = np.asarray(getattr(visual, f"{visual.kind}_colors"))[:, :3]
+        if visual.kind == "face" and len(colors) != len(triangles):
+            colors = None  # faces with more corners than three
+    scalars = getattr(mesh, "active_scalars", None)
+    values = None if scalars is None or np.shape(scalars) != (len(vertices),) else np.asarray(scalars, float)
+    return MeshArrays(vertices, triangles, _normals(mesh, vertices, triangles), colors, values)

@@ -7,7 +7,7 @@ import dataclasses
 import json
 import os
 import pathlib
-from typing import Any, List, Mapping, Optional, Tuple, Union
+from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
 
 from . import _glint
 from ._image import PathLike, to_image
@@ -16,6 +16,7 @@ from ._reports import Record, _Report
 from ._settings import to_list
 from ._tools import SceneLike, to_scene
 from ._trace_log import TraceLog
+from ._words import Shading
 
 
 class Diagnosis(_Report):
@@ -35,7 +36,16 @@ class Diagnosis(_Report):
         """
         if not any(row["pixel"] == [x, y] for row in self.data["rows"]):
             raise KeyError(f"pixel {x},{y} is not among the rows")
-        return self._diagnosed.tree(x, y)
+        return self._trees[x, y] if self._trees else self._diagnosed.tree(x, y)
+
+    _trees: Mapping[Tuple[int, int], str] = {}
+
+    def __getstate__(self) -> Dict[str, Any]:
+        state = dict(self.__dict__)
+        if state.pop("_diagnosed", None) is not None:
+            pixels = {tuple(row["pixel"]) for row in self.data["rows"]}
+            state["_trees"] = {(x, y): self._diagnosed.tree(x, y) for x, y in pixels}
+        return state
 
 
 def diagnose(
@@ -44,7 +54,7 @@ def diagnose(
     *,
     size: Union[None, Tuple[int, int], str] = None,
     aa: Union[None, int, str] = None,
-    shading: Optional[str] = None,
+    shading: Optional[Shading] = None,
     reflections: Optional[int] = None,
     shadows: Optional[bool] = None,
     seed: Optional[int] = None,
@@ -67,7 +77,7 @@ def diagnose(
     settings = dict(size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows, seed=seed)
     listed = to_list(settings) + to_list(convention or {})
     with reporting(progress) as report:
-        found = to_scene(scene)._state.diagnose(name, text, listed, max_rows, threads, report)
+        found = to_scene(scene, size)._state.diagnose(name, text, listed, max_rows, threads, report)
     diagnosis = Diagnosis(json.loads(found.json()), found.text())
     diagnosis._diagnosed = found
     return diagnosis

@@ -6,7 +6,7 @@ from __future__ import annotations
 import os
 import sys
 import warnings
-from typing import List
+from typing import Any, List, Tuple
 
 from ._glint import Diagnostic
 
@@ -26,6 +26,9 @@ class GlintError(Exception):
         self.code = code
         self.diagnostics = list(diagnostics)
 
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return type(self), (*self.args, self.code, self.diagnostics), self.__dict__
+
 
 class GlintWarning(UserWarning):
     """A likely mistake in a scene. `diagnostic` says where it is."""
@@ -34,9 +37,19 @@ class GlintWarning(UserWarning):
         super().__init__(message)
         self.diagnostic = diagnostic
 
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return type(self), (*self.args, self.diagnostic), self.__dict__
+
 
 def make_error(code: str, message: str, diagnostics: List[Diagnostic]) -> GlintError:
     return GlintError(message, code, diagnostics)
+
+
+def warn_of(message: str) -> None:
+    """Issues a warning that has no place in a file."""
+    diagnostic = Diagnostic.__new__(Diagnostic)
+    diagnostic.__setstate__((1, "", 0, 0, 0, message, "", 0, 0, 0, 0, False))
+    warn(diagnostic)
 
 
 def warn(diagnostic: Diagnostic) -> None:

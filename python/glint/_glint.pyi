@@ -1,12 +1,28 @@
 # SPDX-License-Identifier: Apache-2.0
 # Types of the extension module. The fields of lights, materials and cameras are those of src/scene/*_fields.h;
 # a test compares this file with the module.
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
+from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
 
+from ._scene import Scene
 from ._values import Attenuation, Color, ColorLike, Vec3, VectorLike
+from ._words import (
+    FogKind,
+    FovAxis,
+    GradientKind,
+    LightKind,
+    OcclusionMethod,
+    Projection,
+    Severity,
+    TextureAlpha,
+    TextureEncoding,
+    TextureFilter,
+    TextureMapping,
+    TextureMix,
+    TextureWrap,
+)
 
 version: str
 _Report = Optional[Callable[[float], object]]
@@ -57,7 +73,7 @@ class _ImageField:
 
 class Diagnostic:
     @property
-    def severity(self) -> str: ...
+    def severity(self) -> Severity: ...
     @property
     def file(self) -> str: ...
     @property
@@ -70,11 +86,13 @@ class Diagnostic:
     def item(self) -> str: ...
     @property
     def can_skip(self) -> bool: ...
+    def __getstate__(self) -> Tuple[Any, ...]: ...
+    def __setstate__(self, state: Tuple[Any, ...]) -> None: ...
 
 class Light:
     def __init__(
         self,
-        kind: str = ...,
+        kind: LightKind = ...,
         *,
         name: str = ...,
         intensity: float = ...,
@@ -100,7 +118,7 @@ class Light:
         casts_shadows: bool = ...,
     ) -> None: ...
     name: str
-    kind: str
+    kind: LightKind
     intensity: float
     color: _ColorField
     specular_color: _ColorField
@@ -133,13 +151,13 @@ class Texture:
         image: Any,
         *,
         name: str = ...,
-        mapping: str = ...,
-        wrap_u: str = ...,
-        wrap_v: str = ...,
-        filter: str = ...,
-        mix: str = ...,
-        encoding: str = ...,
-        alpha: str = ...,
+        mapping: TextureMapping = ...,
+        wrap_u: TextureWrap = ...,
+        wrap_v: TextureWrap = ...,
+        filter: TextureFilter = ...,
+        mix: TextureMix = ...,
+        encoding: TextureEncoding = ...,
+        alpha: TextureAlpha = ...,
         alpha_cutoff: float = ...,
         uv_map: Any = ...,
         world_from_texture: Any = ...,
@@ -147,13 +165,13 @@ class Texture:
     name: str
     file: str
     image: _ImageField
-    mapping: str
-    wrap_u: str
-    wrap_v: str
-    filter: str
-    mix: str
-    encoding: str
-    alpha: str
+    mapping: TextureMapping
+    wrap_u: TextureWrap
+    wrap_v: TextureWrap
+    filter: TextureFilter
+    mix: TextureMix
+    encoding: TextureEncoding
+    alpha: TextureAlpha
     alpha_cutoff: float
     uv_map: _UvMapField
     world_from_texture: _AffineField
@@ -252,8 +270,8 @@ class Camera:
         fov: float = ...,
         width: float = ...,
         lighting_eye: Optional[VectorLike] = ...,
-        projection: str = ...,
-        fov_axis: str = ...,
+        projection: Projection = ...,
+        fov_axis: FovAxis = ...,
         frame: Optional[CameraFrame] = ...,
     ) -> None: ...
     position: _VectorField
@@ -262,9 +280,19 @@ class Camera:
     fov: float
     width: float
     lighting_eye: _OptionalVectorField
-    projection: str
-    fov_axis: str
+    projection: Projection
+    fov_axis: FovAxis
     frame: Optional[CameraFrame]
+    def fit(
+        self,
+        scene: Union[Scene, Tuple[VectorLike, VectorLike]],
+        direction: Union[str, VectorLike] = ...,
+        margin: float = ...,
+        *,
+        up: Optional[VectorLike] = ...,
+        size: Optional[Tuple[int, int]] = ...,
+    ) -> Camera: ...
+    def orbit(self, right: float = ..., up: float = ...) -> Camera: ...
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> Camera: ...
     def __deepcopy__(self, memo: Dict[Any, Any]) -> Camera: ...
@@ -273,14 +301,14 @@ class Camera:
 class Occlusion:
     def __init__(
         self,
-        method: str = ...,
+        method: OcclusionMethod = ...,
         *,
         samples: int = ...,
         color: ColorLike = ...,
         reach: float = ...,
         direct: float = ...,
     ) -> None: ...
-    method: str
+    method: OcclusionMethod
     samples: int
     color: _ColorField
     reach: float
@@ -293,7 +321,7 @@ class Occlusion:
 class BackgroundGradient:
     def __init__(
         self,
-        kind: str = ...,
+        kind: GradientKind = ...,
         *,
         up: VectorLike = ...,
         bottom: float = ...,
@@ -302,7 +330,7 @@ class BackgroundGradient:
         top_color: ColorLike = ...,
         repeats: bool = ...,
     ) -> None: ...
-    kind: str
+    kind: GradientKind
     up: _VectorField
     bottom: float
     top: float
@@ -317,7 +345,7 @@ class BackgroundGradient:
 class Fog:
     def __init__(
         self,
-        kind: str = ...,
+        kind: FogKind = ...,
         *,
         color: ColorLike = ...,
         density: float = ...,
@@ -325,7 +353,7 @@ class Fog:
         end: float = ...,
         transmit: float = ...,
     ) -> None: ...
-    kind: str
+    kind: FogKind
     color: _ColorField
     density: float
     start: float
@@ -574,6 +602,7 @@ class SceneState:
     ) -> Tuple[
         npt.NDArray[np.float64], npt.NDArray[np.int64], npt.NDArray[np.float64], npt.NDArray[np.float64]
     ]: ...
+    def bounds(self) -> Optional[Tuple[Vec3, Vec3]]: ...
     def load_texts(
         self,
         texts: Sequence[Tuple[str, bytes, str]],
@@ -619,6 +648,7 @@ class Diagnosed:
     def text(self) -> str: ...
     def tree(self, x: int, y: int) -> str: ...
 
+def has_values(object: Any) -> bool: ...
 def isa_names() -> List[str]: ...
 def formats() -> List[Tuple[str, str, str]]: ...
 def written_formats() -> List[Tuple[str, str, str]]: ...

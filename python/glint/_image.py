@@ -4,12 +4,15 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import IO, Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _glint
+from ._expect import Closed, expect, plain
+from ._files import write_file
+from ._words import PictureFormat, Transfer
 
 FloatArray = npt.NDArray[np.float32]
 PathLike = Union[str, "os.PathLike[str]"]
@@ -29,8 +32,15 @@ class _Layers(Mapping[str, FloatArray]):
     def __len__(self) -> int:
         return len(self._rendering.layer_names())
 
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return dict, (dict(self),)
 
-class Image:
+    def __repr__(self) -> str:
+        shapes = (f"{name!r}: {' x '.join(map(str, layer.shape))}" for name, layer in self.items())
+        return f"<layers {{{', '.join(shapes)}}}>"
+
+
+class Image(Closed):
     """A picture: linear RGB floats, row by row from the top.
 
     Image(array) copies height x width x 3 (or 4) numbers, or height x width greys; of integers, the type's
@@ -51,12 +61,16 @@ class Image:
         return image
 
     @classmethod
-    def open(cls, path: PathLike, *, max_memory: int = 0) -> Image:
-        """The picture of a file. Integers v are v / maximum; gamma is not decoded.
+    def open(cls, path: Union[PathLike, IO[bytes]], *, max_memory: int = 0) -> Image:
+        """The picture of a file, by its name, or of an object with read(). Integers v are v / maximum; gamma is not decoded.
 
         max_memory: bytes that decoding may take; 0: 64 MiB, and 24 for each pixel.
         """
-        with open(path, "rb") as file:
+        read = getattr(path, "read", None)
+        if read is not None:
+            return cls._of(_glint.Rendering.decode(read(), max_memory))
+        expect("path", path, Union[str, os.PathLike])
+        with open(path, "rb") as file:  # type: ignore[arg-type]
             return cls._of(_glint.Rendering.decode(file.read(), max_memory))
 
     @property
@@ -88,6 +102,7 @@ class Image:
         light is called by its number, as 'light:2', and by the name that render() was given."""
         return _Layers(self._rendering, self._asked)
 
+    @plain
     def viewable(self, layer: str) -> Image:
         """A layer as a picture to look at: normals as colors, depth from white to dark."""
         return Image._of(self._rendering.viewable(self._asked.get(layer, layer)))
@@ -102,26 +117,54 @@ class Image:
         """The instruction set that it was rendered with; the picture does not depend on it."""
         return self._rendering.isa
 
-    def to_bytes(self, format: str = "png", *, bits: int = 8, transfer: Optional[str] = None) -> bytes:
+    @plain
+    def to_bytes(self, format: PictureFormat = "png", *, bits: int = 8, transfer: Optional[Transfer] = None) -> bytes:
         """The bytes of a file: 'png', 'ppm', 'tga', 'bmp', 'jpeg' or 'exr'. bits: 8 or 16 a channel (TGA, BMP and
         JPEG: 8); transfer: 'none' or 'srgb', in place of the scene's convention `transfer`."""
         return self._rendering.encode(format, bits, transfer)
 
-    def save(self, path: PathLike, *, bits: int = 8, transfer: Optional[str] = None) -> None:
-        """Writes .png, .ppm, .tga, .bmp, .jpg or .exr; an .exr holds the layers, too."""
-        name = os.fspath(path)
+    def save(
+        self,
+        path: Union[PathLike, IO[bytes]],
+        format: Optional[PictureFormat] = None,
+        *,
+        bits: int = 8,
+        transfer: Optional[Transfer] = None,
+    ) -> None:
+        """Writes .png, .ppm, .tga, .bmp, .jpg or .exr; an .exr holds the layers, too.
+
+        path: a name, or an object with write(), such as io.BytesIO(). format: in place of the name's ending; of an
+        object without a name, 'png' if it is None. The file is replaced when the new one is complete: if there is an
+        error (OSError), the old one is as it was.
+        """
+        write = getattr(path, "write", None)
+        name = str(getattr(path, "name", "")) if write is not None else os.fspath(path)  # type: ignore[arg-type]
         ending = os.path.splitext(name)[1].lower()
-        if ending not in (".png", ".ppm", ".tga", ".bmp", ".jpg", ".jpeg", ".exr"):
-            raise ValueError(f"{name!r}: glint writes .png, .ppm, .tga, .bmp, .jpg and .exr")
-        content = self.to_bytes("jpeg" if ending == ".jpg" else ending[1:], bits=bits, transfer=transfer)
-        with open(name, "wb") as file:
-            file.write(content)
+        if format is None and ending not in (".png", ".ppm", ".tga", ".bmp", ".jpg", ".jpeg", ".exr"):
+            if write is None:
+                raise ValueError(f"{name!r}: glint writes .png, .ppm, .tga, .bmp, .jpg and .exr")
+            ending = ".png"
+        known: Any = "jpeg" if ending == ".jpg" else ending[1:]
+        content = self.to_bytes(known if format is None else format, bits=bits, transfer=transfer)
+        if write is not None:
+            write(content)
+        else:
+            write_file(name, content)
+
+    @plain
+    def to_uint8(self, *, transfer: Optional[Transfer] = None) -> npt.NDArray[np.uint8]:
+        """The bytes of a PNG without alpha, (height, width, 3), in an array of its own. transfer: as of to_bytes()."""
+        content = self._rendering.encode("ppm", 8, transfer)
+        count = 3 * self.width * self.height
+        return np.frombuffer(content, np.uint8, count, len(content) - count).reshape(self.height, self.width, 3).copy()
 
     def to_pil(self) -> Any:
-        """The same picture for PIL, with 8 bits a channel."""
-        import io
-
+        """The same picture for PIL, with 8 bits a channel; RGBA if it was rendered with alpha=True."""
         import PIL.Image  # type: ignore[import]
+
+        if "alpha" not in self._rendering.layer_names():
+            return PIL.Image.fromarray(self.to_uint8())
+        import io
 
         return PIL.Image.open(io.BytesIO(self.to_bytes()))
 

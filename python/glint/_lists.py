@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 import operator
-from typing import Any, Generic, List, MutableSequence, Sequence, TypeVar, Union, overload
+from typing import Any, Generic, List, MutableSequence, Sequence, Tuple, TypeVar, Union, overload
 
 from . import _glint
+from ._expect import expect
 from ._glint import Light, Material, Shape, Texture
 
 Item = TypeVar("Item")
@@ -45,6 +46,9 @@ class _Items(Sequence[Item], Generic[Item]):
             return [self._get(i) for i in range(*key.indices(len(self)))]
         return self._get(self._index(key))
 
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return list, (list(self),)  # without the scene
+
     def __contains__(self, item: object) -> bool:
         if isinstance(item, str):
             return any(getattr(known, "name", None) == item for known in self)
@@ -71,6 +75,8 @@ class Lights(_Items[Light], MutableSequence[Light]):
         lights = self._all()
         if isinstance(key, str):
             key = lights.index(self[key])
+        for light in value if isinstance(key, slice) else (value,):
+            expect("lights", light, Light)
         lights[key] = value
         self._state.set_lights(lights)
 
@@ -84,6 +90,7 @@ class Lights(_Items[Light], MutableSequence[Light]):
     def insert(self, index: int, value: Light) -> None:
         """Adds a light before the one of this number."""
         lights = self._all()
+        expect("lights", value, Light)
         lights.insert(index, value)
         self._state.set_lights(lights)
 
@@ -96,10 +103,12 @@ class Materials(_Items[Material]):
     def __setitem__(self, key: Union[int, str], value: Material) -> None:
         """Another material for all shapes that have this one."""
         index = [m.name for m in self].index(key) if isinstance(key, str) else self._index(key)
+        expect("materials", value, Material)
         self._state.set_material(index, value)
 
     def append(self, value: Material) -> None:
         """Adds a material."""
+        expect("materials", value, Material)
         self._state.add_material(value)
 
 
@@ -110,6 +119,7 @@ class Textures(_Items[Texture]):
 
     def append(self, value: Texture) -> None:
         """Adds a texture."""
+        expect("textures", value, Texture)
         self._state.add_texture(value)
 
 
@@ -120,6 +130,7 @@ class Shapes(_Items[Any]):
 
     def __setitem__(self, key: Union[int, str], value: Shape) -> None:
         index = [s.name for s in self].index(key) if isinstance(key, str) else self._index(key)
+        expect("shapes", value, Shape)
         self._state.set_shape(index, value)
 
     def __delitem__(self, key: Union[int, str, slice]) -> None:
@@ -132,6 +143,7 @@ class Shapes(_Items[Any]):
 
     def append(self, value: Shape) -> None:
         """Adds a shape."""
+        expect("shapes", value, Shape)
         self._state.add_shape(value)
 
     def clear(self) -> None:

@@ -5,22 +5,24 @@ from __future__ import annotations
 
 import dataclasses
 import warnings
-from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Tuple, TypeVar, Union, overload
+from typing import Any, Dict, Iterable, Iterator, List, Mapping, Optional, Sequence, Tuple, TypeVar, Union, overload
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _accept, _glint
-from ._glint import BackgroundGradient, Camera, Fog, Light, Material, Mesh, Occlusion, Shape, Texture
+from ._expect import expect, plain
+from ._framing import frame_unset
+from ._glint import BackgroundGradient, Camera, Fog, Light, Material, Occlusion, Shape, Texture
 from ._image import Image
 from ._lists import Lights, Materials, Shapes, Textures
+from ._many import Arrays, ManyShapes
 from ._progress import Progress, reporting
-from ._settings import Settings, to_list
-from ._values import Color, ColorLike
+from ._settings import Settings, to_crop, to_list
+from ._values import Color, ColorLike, Vec3
+from ._words import SceneFormat, Shading
 
 Added = TypeVar("Added", bound=Union[Light, Material, Shape, Texture])
-Arrays = Any
-"""Numbers as NumPy arrays or what NumPy makes arrays of."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -45,7 +47,7 @@ class Hits:
         return len(self.t)
 
 
-class Scene:
+class Scene(ManyShapes):
     """Shapes, materials, lights, a camera, conventions and settings.
 
     The next picture prepares only what has changed since the last one: a new light, material or camera takes
@@ -64,6 +66,7 @@ class Scene:
         occlusion: Optional[Occlusion] = None,
     ) -> None:
         self._state = _glint.SceneState()
+        self._framed: Optional[Camera] = self._state.camera.__copy__()
         if size is not None:
             self.settings["size"] = size
         if background is not None:
@@ -88,7 +91,10 @@ class Scene:
 
     @lights.setter
     def lights(self, lights: Iterable[Light]) -> None:
-        self._state.set_lights(list(lights))
+        items = list(lights)
+        for light in items:
+            expect("lights", light, Light)
+        self._state.set_lights(items)
 
     @property
     def materials(self) -> Materials:
@@ -107,12 +113,24 @@ class Scene:
 
     @property
     def camera(self) -> Camera:
-        """The camera: scene.camera.position = (0, 1, 5)."""
+        """The camera: scene.camera.position = (0, 1, 5).
+
+        Until it is set or changed, each picture of a scene made in Python frames all shapes, seen from (1, 1, 1), as
+        scene.camera.fit(scene) does. A scene that was read from a file has the file's camera.
+        """
         return self._state.camera
 
     @camera.setter
     def camera(self, camera: Camera) -> None:
+        expect("camera", camera, Camera)
         self._state.camera = camera
+        self._framed = None
+
+    @property
+    def bounds(self) -> Optional[Tuple[Vec3, Vec3]]:
+        """(min, max), the least and the greatest coordinates of all shapes in world space, a little rounded outwards;
+        None if there are none. Planes without bounds do not count."""
+        return self._state.bounds()
 
     @property
     def background(self) -> Color:
@@ -130,6 +148,7 @@ class Scene:
 
     @fog.setter
     def fog(self, fog: Optional[Fog]) -> None:
+        expect("fog", fog, Optional[Fog])
         self._state.fog = fog
 
     @property
@@ -139,6 +158,7 @@ class Scene:
 
     @gradient.setter
     def gradient(self, gradient: Optional[BackgroundGradient]) -> None:
+        expect("gradient", gradient, Optional[BackgroundGradient])
         self._state.gradient = gradient
 
     @property
@@ -148,6 +168,7 @@ class Scene:
 
     @occlusion.setter
     def occlusion(self, occlusion: Optional[Occlusion]) -> None:
+        expect("occlusion", occlusion, Optional[Occlusion])
         self._state.occlusion = occlusion
 
     @property
@@ -165,6 +186,7 @@ class Scene:
         """The source whose conventions it began with: 'glint', 'epfl', ..."""
         return self._state.profile
 
+    @plain
     def use_profile(self, name: str) -> None:
         """Sets all conventions and settings to those of a source, one of glint.profiles."""
         self._state.apply_profile(name)
@@ -184,8 +206,8 @@ class Scene:
     def add(self, item: Any, **options: Any) -> Any:
         """Adds a shape, a light, a material, a texture or a camera, and returns it: later changes of it are seen.
 
-        Of other packages, ASE's atoms (see atoms()) and objects with `vertices` and `faces` (see mesh());
-        these return the range of their shapes' numbers.
+        Of other packages, atoms of ASE, Open Babel and MDAnalysis (see atoms()) and meshes of trimesh, pyvista and
+        meshio (see mesh()); these return the range of their shapes' numbers.
         """
         if isinstance(item, Light):
             self._state.add_light(item)
@@ -205,137 +227,22 @@ class Scene:
             raise TypeError(f"glint cannot add {type(item).__name__!r} to a scene")
         return item
 
-    # ---- Many shapes at once ----
-
-    def spheres(
-        self,
-        centers: Arrays,
-        radii: Arrays = 1.0,
-        colors: Any = None,
-        *,
-        material: Optional[Material] = None,
-        colormap: Any = None,
-    ) -> range:
-        """Adds N spheres and returns the range of their numbers.
-
-        centers: (N, 3), in the scene's units; radii: one number or (N,), > 0; colors: one color, or (N, 3), or
-        None for the material's; material: what all have but for the color. (N, 3) colors become those of the
-        shapes (shape.color), in single precision. With a colormap (matplotlib's, or
-        its name), colors is one number for each sphere.
-        """
-        return self._state.add_spheres(centers, radii, _accept.to_colors(colors, colormap), material)
-
-    def cylinders(
-        self,
-        from_: Arrays,
-        to: Arrays,
-        radii: Arrays = 1.0,
-        colors: Any = None,
-        *,
-        material: Optional[Material] = None,
-        colormap: Any = None,
-        caps: bool = True,
-    ) -> range:
-        """Adds N cylinders between points (N, 3) and (N, 3). caps: their ends are closed. See spheres()."""
-        colors = _accept.to_colors(colors, colormap)
-        return self._state.add_cylinders(from_, to, radii, colors, material, caps)
-
-    def triangles(
-        self,
-        vertices: Arrays,
-        faces: Optional[Arrays] = None,
-        colors: Any = None,
-        *,
-        normals: Optional[Arrays] = None,
-        material: Optional[Material] = None,
-        colormap: Any = None,
-    ) -> range:
-        """Adds N triangles: vertices (N, 3, 3), or vertices (V, 3) and their indices, faces (N, 3).
-
-        normals: of the vertices, in the same form, for smooth shading. colors: one, or (N, 3). See spheres().
-        """
-        colors = _accept.to_colors(colors, colormap)
-        return self._state.add_triangles(vertices, faces, normals, colors, material)
-
-    def add_mesh(
-        self,
-        vertices: Arrays,
-        faces: Arrays,
-        *,
-        normals: Optional[Arrays] = None,
-        colors: Any = None,
-        texture_coordinates: Optional[Arrays] = None,
-        material: Optional[Material] = None,
-        transform: Any = None,
-        name: str = "",
-    ) -> Mesh:
-        """Adds triangles with common vertices as one shape, and returns it.
-
-        vertices: (V, 3), kept as float32 if they are that, else as float64; faces: (N, 3), the numbers of the
-        vertices, counter-clockwise around the normal. normals: (V, 3), of any length, for smooth shading;
-        colors: (V, 3), linear, which are interpolated. The material's own color is used without them.
-        texture_coordinates: (V, 2), u and v of the material's texture, interpolated; u goes to the right and v up,
-        and (0, 0) is the lower left corner of the picture. A
-        mesh of which a scene has many copies is stored once: add(glint.Mesh(...)) again, or copies of it with
-        other transforms.
-        ValueError names the row of a number beyond 1e12, or of a face without three vertices of the list.
-        """
-        mesh = Mesh(vertices, faces, normals, colors, texture_coordinates, name=name)
-        if material is not None:
-            mesh.material = material
-        if transform is not None:
-            mesh.transform = transform
-        self._state.add_shape(mesh)
-        return mesh
-
-    def mesh(
-        self, mesh: Any, colors: Any = None, *, material: Optional[Material] = None, smooth: bool = True
-    ) -> range:
-        """Adds an object with `vertices` and `faces` (of three or more corners); smooth: by its `normals`."""
-        vertices, faces, normals = _accept.mesh_arrays(mesh)
-        return self.triangles(
-            vertices, faces, colors, normals=normals if smooth else None, material=material
-        )
-
-    def atoms(
-        self,
-        atoms: Any,
-        *,
-        scale: float = 0.5,
-        bonds: Union[bool, Arrays] = True,
-        bond_radius: float = 0.12,
-        bond_color: ColorLike = (0.6, 0.6, 0.6),
-        material: Optional[Material] = None,
-    ) -> range:
-        """Adds ASE's atoms: a sphere of `scale` times the covalent radius for each, in Jmol's colors.
-
-        bonds: cylinders between atoms that are near enough, or pairs (M, 2) of indices, or False. Lengths are
-        in angstrom, as in ASE. Returns the range of the atoms' numbers.
-        """
-        positions, radii, colors = _accept.atom_arrays(atoms)
-        added = self.spheres(positions, scale * radii, colors, material=material)
-        if bonds is not False:
-            pairs = _accept.find_bonds(positions, radii) if bonds is True else np.asarray(bonds)
-            if len(pairs):
-                ends = positions[pairs[:, 0]], positions[pairs[:, 1]]
-                self.cylinders(*ends, bond_radius, bond_color, material=material, caps=False)
-        return added
-
     # ---- Pictures and questions ----
 
+    @plain
     def render(
         self,
         *,
         size: Union[None, Tuple[int, int], str] = None,
         aa: Union[None, int, str] = None,
-        shading: Optional[str] = None,
+        shading: Optional[Shading] = None,
         reflections: Optional[int] = None,
         shadows: Optional[bool] = None,
         alpha: Optional[bool] = None,
         seed: Optional[int] = None,
         convention: Optional[Mapping[str, object]] = None,
         aov: Union[str, Sequence[str]] = (),
-        crop: Optional[Tuple[int, int, int, int]] = None,
+        crop: Union[None, Tuple[int, int, int, int], str] = None,
         threads: int = 0,
         isa: str = "",
         progress: Progress = None,
@@ -347,7 +254,7 @@ class Scene:
         in succession; alpha: True for a transparent background, which PNG and EXR files then have (the layer
         'alpha' is added to aov); seed: another number samples other places; convention: changes for this picture
         alone; aov: names of layers, or 'all'; 'light:NAME', or 'light:2' for scene.lights[1], is the picture with
-        this light alone; crop: (width, height, x, y), a part of the picture; threads: 0 for all, which changes
+        this light alone; crop: (width, height, x, y) or 'WIDTHxHEIGHT+X+Y', a part of the picture; threads: 0 for all, which changes
         nothing in the picture. progress: True for a bar, or a function that is called with the fraction done.
         Ctrl-C stops it.
         """
@@ -362,15 +269,20 @@ class Scene:
                 seed=seed,
             )
         ) + to_list(convention or {})
+        expect("aov", aov, Union[str, Sequence[str]])
+        if progress is not None and not callable(progress) and not isinstance(progress, bool):
+            raise TypeError(f"progress: expected True, False or a function, found {progress!r}")
         if aov == "all":
             aov = [info[0] for info in _glint.layer_infos()]
         elif isinstance(aov, str):
             aov = aov.split(",")
+        frame_unset(self, size)
         with reporting(progress) as report:
             return Image._of(
-                self._state.render(settings, list(aov), crop, threads, isa, report), list(aov)
+                self._state.render(settings, list(aov), to_crop(crop), threads, isa, report), list(aov)
             )
 
+    @plain
     def cast(
         self, origins: Arrays, directions: Arrays, *, t_min: float = 0.0, t_max: float = float("inf")
     ) -> Hits:
@@ -385,20 +297,37 @@ class Scene:
 
         Textures that were read from files are written as the names of these files (Texture.file), others as texels.
         """
+        frame_unset(self)
         return self._state.write_glint()
 
-    def to_bytes(self, format: str = "glb") -> bytes:
+    @plain
+    def to_bytes(self, format: SceneFormat = "glb") -> bytes:
         """A file of the scene for other programs: "glb" or "gltf" (docs/formats/gltf.md), or "glint".
 
         A GlintWarning names each kind of things that the format does not have.
         """
+        frame_unset(self)
         return self._state.write_scene(format)
+
+    def turntable(self, frames: int = 36, **options: Any) -> Iterator[Image]:
+        """Pictures of one turn around the point that the camera looks at, one after the other, from where it is.
+
+        frames: how many; options: those of render(). The camera is then where it was.
+        """
+        expect("frames", frames, int)
+        frame_unset(self, options.get("size"))
+        turned = self.copy()
+        turned._framed = None
+        for _ in range(frames):
+            yield turned.render(**options)
+            turned.camera.orbit(360 / frames)
 
     def copy(self) -> Scene:
         """A scene of its own, with objects of its own; what was prepared is shared."""
         copy = type(self).__new__(type(self))
         copy._state = _glint.SceneState()
         copy._state.copy_from(self._state)
+        copy._framed = self._framed
         return copy
 
     def __copy__(self) -> Scene:
@@ -408,6 +337,7 @@ class Scene:
         return self.copy()
 
     def __reduce__(self) -> Tuple[Any, ...]:
+        frame_unset(self)
         return _unpickled, (self._state.write_whole_glint(),)
 
     def __eq__(self, other: object) -> bool:

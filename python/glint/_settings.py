@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import operator
+import re
 from typing import Any, Dict, Iterator, List, Mapping, MutableMapping, NamedTuple, Optional, Tuple, Union
 
 from . import _glint
@@ -54,6 +56,24 @@ def to_list(settings: Mapping[str, object]) -> List[Tuple[str, str]]:
     return [(key, to_text(value)) for key, value in settings.items() if value is not None]
 
 
+def to_crop(crop: Any) -> Optional[Tuple[int, int, int, int]]:
+    """(width, height, x, y), also of 'WIDTHxHEIGHT+X+Y', as the command has it."""
+    if crop is None:
+        return None
+    values = crop
+    if isinstance(crop, str):
+        found = re.fullmatch(r"(\d+)x(\d+)\+(\d+)\+(\d+)", crop)
+        values = found.groups() if found else ()
+    try:
+        width, height, x, y = (int(v) if isinstance(crop, str) else operator.index(v) for v in values)
+    except (TypeError, ValueError):
+        raise ValueError(
+            "crop: expected (width, height, x, y), four whole numbers of pixels, or 'WIDTHxHEIGHT+X+Y', "
+            f"found {crop!r}"
+        ) from None
+    return width, height, x, y
+
+
 class Settings(MutableMapping[str, Any]):
     """The scene's settings, or its conventions: scene.settings['size'] = (320, 240)."""
 
@@ -77,6 +97,9 @@ class Settings(MutableMapping[str, Any]):
 
     def __len__(self) -> int:
         return len(self._keys)
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return dict, (dict(self),)  # without the scene
 
     def __repr__(self) -> str:
         return repr(dict(self))

@@ -10,11 +10,15 @@ import pathlib
 from typing import Any, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _glint
+from ._expect import expect, plain
+from ._files import write_file
+from ._framing import frame_unset
 from ._image import Image, PathLike, to_image
 from ._progress import Progress, reporting
 from ._reports import Comparison, Explanation
 from ._scene import Scene
 from ._settings import profiles, to_list
+from ._words import Shading
 
 SceneLike = Union[Scene, PathLike]
 View = Union[None, str, Sequence[float]]
@@ -38,6 +42,7 @@ def _load(
         profile_text = profile, pathlib.Path(profile).read_bytes()
         profile = ""
     scene = Scene()
+    scene._framed = None  # the camera is the file's
     with reporting(progress) as report:
         scene._state.load_texts(
             texts,
@@ -55,6 +60,7 @@ def _load(
     return scene
 
 
+@plain
 def load(
     *paths: PathLike,
     format: str = "",
@@ -64,7 +70,7 @@ def load(
     convention: Optional[Mapping[str, object]] = None,
     size: Union[None, Tuple[int, int], str] = None,
     aa: Union[None, int, str] = None,
-    shading: Optional[str] = None,
+    shading: Optional[Shading] = None,
     reflections: Optional[int] = None,
     shadows: Optional[bool] = None,
     alpha: Optional[bool] = None,
@@ -113,6 +119,7 @@ def _folders(include_path: Union[PathLike, Sequence[PathLike]]) -> List[str]:
     return [os.fspath(path) for path in paths]
 
 
+@plain
 def loads(
     text: str,
     format: str = "glint",
@@ -133,6 +140,7 @@ def loads(
     include_path, a folder or several, and never outside of these folders. includes: False: no file is read.
     max_memory, skip_unsupported, view: as of load().
     """
+    expect("text", text, str)
     texts = [(name, text.encode(), format)]
     reach = "folder" if includes else "none"
     folders = _folders(include_path)
@@ -141,10 +149,14 @@ def loads(
     )
 
 
-def to_scene(scene: SceneLike) -> Scene:
-    return scene if isinstance(scene, Scene) else load(scene)
+def to_scene(scene: SceneLike, size: Union[None, Tuple[int, int], str] = None) -> Scene:
+    if not isinstance(scene, Scene):
+        return load(scene)
+    frame_unset(scene, size)
+    return scene
 
 
+@plain
 def explain(
     scene: SceneLike,
     x: int,
@@ -152,7 +164,7 @@ def explain(
     *,
     size: Union[None, Tuple[int, int], str] = None,
     aa: Union[None, int, str] = None,
-    shading: Optional[str] = None,
+    shading: Optional[Shading] = None,
     reflections: Optional[int] = None,
     shadows: Optional[bool] = None,
     seed: Optional[int] = None,
@@ -170,7 +182,7 @@ def explain(
         raise ValueError(f"fold must be 0 or more, not {fold}")
     settings = dict(size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows, seed=seed)
     listed = to_list(settings) + to_list(convention or {})
-    data, text = to_scene(scene)._state.explain(x, y, listed, sample, fold, None)
+    data, text = to_scene(scene, size)._state.explain(x, y, listed, sample, fold, None)
     return Explanation(json.loads(data), text)
 
 
@@ -197,6 +209,7 @@ def check(scene: SceneLike, *, progress: Progress = None) -> List[Finding]:
     return [Finding(id, d.message, remedy, d, text) for id, d, remedy, text in found]
 
 
+@plain
 def compare(
     a: Any,
     b: Any,
@@ -291,11 +304,11 @@ def convert(source: SceneLike, target: PathLike) -> None:
         raise ValueError(f"{name!r}: glint writes {', '.join(formats)}")
     scene = to_scene(source)
     if format != "glint":
-        pathlib.Path(name).write_bytes(scene.to_bytes(format))
+        write_file(name, scene._state.write_scene(format))
         return
     if any(texture.file for texture in scene.textures):
         scene = scene.copy()
         for texture in scene.textures:
             if texture.file and not os.path.isabs(texture.file):
                 texture.file = os.path.relpath(texture.file, os.path.dirname(name) or ".")
-    pathlib.Path(name).write_text(scene.to_glint(), encoding="utf-8")
+    write_file(name, scene.to_glint().encode())

@@ -12,7 +12,7 @@ VectorLike = Union[Sequence[float], npt.NDArray[Any]]
 """Three numbers: a tuple, a list, a NumPy array."""
 
 ColorLike = Union[Sequence[float], npt.NDArray[Any], float, str]
-"""Three numbers (linear RGB), four (the alpha is left out), one for grey, or '#rrggbb'."""
+"""Three numbers (linear RGB), four (the alpha is left out), one for grey, '#rrggbb', or a name; of uint8, 255 is 1."""
 
 _T = TypeVar("_T", bound="_Triple")
 

@@ -79,8 +79,7 @@ struct Look {
 Look add_look(SceneState& state, const py::object& colors, const py::object& material, std::size_t count) {
     const auto box = material.is_none() ? nullptr : material.cast<std::shared_ptr<MaterialBox>>();
     if (colors.is_none()) return {state.add(box)};
-    const auto array =
-        is_number(colors) || py::isinstance<py::str>(colors) ? Doubles() : doubles(colors, "colors");
+    auto array = is_number(colors) || py::isinstance<py::str>(colors) ? Doubles() : doubles(colors, "colors");
     if (array.ndim() != 2) {
         const Color one = to_color(colors, "colors", k_channel);
         const Material colored = with_color(box ? box->value : Material{}, one);
@@ -91,6 +90,10 @@ Look add_look(SceneState& state, const py::object& colors, const py::object& mat
     if (static_cast<std::size_t>(array.shape(0)) != count || (channels != 3 && channels != 4))
         throw py::value_error(fmt::format(
             "colors: expected one color or an array of {} x 3 numbers, found {}", count, shape_text(array)));
+    if (py::isinstance<py::array_t<std::uint8_t>>(colors)) {  // of which doubles() made a copy
+        double* const channel = array.mutable_data();
+        for (py::ssize_t i = 0; i < array.size(); ++i) channel[i] /= 255;
+    }
     const double* c = array.data();
     for (py::ssize_t i = 0; i < array.size(); ++i)
         if (!k_channel.contains(c[i]))
@@ -237,13 +240,21 @@ py::tuple cast(SceneState& state, const py::object& origins, const py::object& d
     return py::make_tuple(t, shapes, hit_points, normals);
 }
 
+// (min, max) of the bounded shapes; None if there are none.
+py::object bounds_of(SceneState& state) {
+    const Bounds bounds = scene_bounds(state.prepare({}, py::none(), 0, true).world);
+    if (bounds.min.x > bounds.max.x) return py::none();
+    return py::make_tuple(to_python(bounds.min), to_python(bounds.max));
+}
+
 }  // namespace
 
 void bind_arrays(py::class_<SceneState, std::shared_ptr<SceneState>>& cls) {
     cls.def("add_spheres", &add_spheres)
         .def("add_cylinders", &add_cylinders)
         .def("add_triangles", &add_triangles)
-        .def("cast_rays", &cast);
+        .def("cast_rays", &cast)
+        .def("bounds", &bounds_of);
 }
 
 }  // namespace glint::python

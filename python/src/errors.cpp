@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "errors.h"
 
+#include <algorithm>
+
 namespace glint::python {
 namespace {
 
@@ -48,6 +50,27 @@ void bind_errors(py::module_& m) {
             "The item of the scene: 'lights[1]', 'camera'; empty if the message is about none.")
         .def_readonly("can_skip", &Diagnostic::can_skip,
                       "Whether this error is about something that skip_unsupported leaves out.")
+        .def(py::pickle(
+            [](const Diagnostic& d) {
+                return py::make_tuple(static_cast<int>(d.severity), d.file, d.line, d.column, d.length,
+                                      d.message, d.source_line, d.caret, static_cast<int>(d.item), d.index,
+                                      d.left_out, d.can_skip);
+            },
+            [](const py::tuple& t) {
+                if (t.size() != 12) throw py::value_error("this is no pickled glint.Diagnostic");
+                return Diagnostic{static_cast<Severity>(std::clamp(t[0].cast<int>(), 0, 2)),
+                                  t[1].cast<std::string>(),
+                                  t[2].cast<std::uint32_t>(),
+                                  t[3].cast<std::uint32_t>(),
+                                  t[4].cast<std::uint32_t>(),
+                                  t[5].cast<std::string>(),
+                                  t[6].cast<std::string>(),
+                                  t[7].cast<std::uint32_t>(),
+                                  static_cast<SceneItem>(std::clamp(t[8].cast<int>(), 0, 9)),
+                                  t[9].cast<std::uint32_t>(),
+                                  t[10].cast<std::uint32_t>(),
+                                  t[11].cast<bool>()};
+            }))
         .def("__str__", [](const Diagnostic& d) { return without_newline(to_string(d)); })
         .def("__repr__", [](const Diagnostic& d) {
             return "<glint.Diagnostic " + without_newline(to_string(d)).substr(0, 200) + ">";

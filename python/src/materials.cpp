@@ -78,7 +78,16 @@ void bind_materials(py::module_& m) {
              })
         .def("__repr__",
              [](const MaterialBox& box) {
-                 std::string text = changed_fields(box.value, Material{}, box.name);
+                 // The factors of the color are what Material(color=...) has.
+                 const Color color = box.value.color;
+                 const bool is_usual = color == Material{}.color;
+                 const Material usual = is_usual ? Material{} : with_color(Material{}, color);
+                 std::string text = box.name.empty() ? "" : "name=" + repr_of(py::str(box.name));
+                 if (!is_usual)
+                     text += fmt::format("{}color={}", text.empty() ? "" : ", ", repr_of(to_python(color)));
+                 const std::string others = changed_fields(box.value, usual);
+                 if (!text.empty() && !others.empty()) text += ", ";
+                 text += others;
                  if (box.texture)
                      text += (text.empty() ? "" : ", ") + ("texture=" + repr_of(py::cast(box.texture)));
                  return fmt::format("Material({})", text);

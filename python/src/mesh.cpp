@@ -101,6 +101,12 @@ void set_values(CornerValues& to, const py::object& rows, const char* name, std:
     check_count(to, name, vertices);
 }
 
+void set_colors(CornerValues& to, const py::object& rows, std::size_t vertices) {
+    set_values(to, rows, "colors", vertices);
+    if (!is_array_of<std::uint8_t>(rows)) return;
+    for (Float3& color : to.values) color = {color.x / 255.0f, color.y / 255.0f, color.z / 255.0f};
+}
+
 void set_texture_coordinates(CornerValues& to, const py::object& value, std::size_t vertices) {
     constexpr auto name = "texture_coordinates";
     if (value.is_none()) return;
@@ -126,7 +132,7 @@ std::shared_ptr<const MeshData> make_data(const py::object& vertices, const py::
     }
     data->triangles = triangles_in(triangles, data->vertex_count());
     set_values(data->normals, normals, "normals", data->vertex_count());
-    set_values(data->colors, colors, "colors", data->vertex_count());
+    set_colors(data->colors, colors, data->vertex_count());
     set_texture_coordinates(data->texture_coordinates, texture_coordinates, data->vertex_count());
     return data;
 }

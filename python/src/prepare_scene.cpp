@@ -47,7 +47,8 @@ void SceneState::warn_once(const std::vector<Diagnostic>& diagnostics) {
     warn(fresh);
 }
 
-Snapshot SceneState::prepare(const SettingList& overrides, const py::object& progress, int threads) {
+Snapshot SceneState::prepare(const SettingList& overrides, const py::object& progress, int threads,
+                             bool is_quiet) {
     sync();
     std::shared_ptr<const Scene> scene = scene_;
     std::vector<std::uint32_t> shapes;
@@ -85,6 +86,8 @@ Snapshot SceneState::prepare(const SettingList& overrides, const py::object& pro
             return {};
         });
         if (!status) raise(status);
+        if (is_quiet && !warnings.empty())
+            return {std::move(scene), std::move(world)};  // the next call has them
         world_ = world;
         world_versions_ = now;
         world_edits_ = edits;

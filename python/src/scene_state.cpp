@@ -17,7 +17,10 @@ void apply(const SettingList& settings, Scene& scene) {
             throw py::key_error("there is no setting '" + key + "'" + did_you_mean(key, known));
         }
         const Status status = set_setting(scene, *index, value, {SettingOrigin::Kind::code, {}});
-        if (!status) raise(status);
+        if (status) continue;
+        Status failed = status;
+        if (failed.diagnostics.empty()) failed.message = key + ": " + failed.message;
+        raise(failed);
     }
 }
 

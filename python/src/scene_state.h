@@ -92,7 +92,9 @@ class SceneState {
     void warn_once(const std::vector<Diagnostic>& diagnostics);
 
     /// Prepares what has changed. `overrides`: settings for this picture alone. `progress` may be None.
-    Snapshot prepare(const SettingList& overrides, const py::object& progress, int threads = 0);
+    /// is_quiet: issues no warnings; they are for the next call.
+    Snapshot prepare(const SettingList& overrides, const py::object& progress, int threads = 0,
+                     bool is_quiet = false);
     /// The same, and the snapshot's scene has these settings, too.
     Snapshot prepare_changed(const SettingList& overrides, const py::object& progress);
 

@@ -39,7 +39,9 @@ template <class T> struct ShapeOf : ShapeBox {
         for (const auto& [parameter, doc] : names_of<T>()) {
             Get get{parameter};
             visit_parameters(value, get);
-            text += fmt::format("{}{}={}", text.empty() ? "" : ", ", parameter, repr_of(get.found));
+            const bool is_array = py::isinstance<py::array>(get.found);
+            text += fmt::format("{}{}={}", text.empty() ? "" : ", ", parameter,
+                                repr_of(is_array ? get.found.attr("tolist")() : get.found));
         }
         return text;
     }
@@ -179,7 +181,7 @@ std::string describe(const ShapeBox& shape, const std::string& class_name) {
     std::string text = class_name + "(" + shape.text();
     if (shape.material) text += ", material=" + repr_of(py::cast(shape.material));
     if (shape.color) text += ", color=" + repr_of(to_python(*shape.color));
-    if (shape.transform) text += ", transform=...";
+    if (shape.transform) text += ", transform=" + repr_of(to_python(*shape.transform).attr("tolist")());
     if (!shape.name.empty()) text += ", name=" + repr_of(py::str(shape.name));
     return text + ")";
 }

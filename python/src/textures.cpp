@@ -135,7 +135,8 @@ std::string describe(const TextureBox& texture) {
                            value.image->has_alpha ? " with alpha" : "");
     if (const std::string fields = changed_fields(value, Texture{}, texture.name); !fields.empty())
         text += ", " + fields;
-    if (!(value.world_from_texture == Affine{})) text += ", world_from_texture=...";
+    if (!(value.world_from_texture == Affine{}))
+        text += ", world_from_texture=" + repr_of(to_python(value.world_from_texture).attr("tolist")());
     return text + ")";
 }
 

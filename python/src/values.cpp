@@ -119,16 +119,26 @@ Vec3 to_direction(const py::handle& value, std::string_view name) {
 }
 
 Color to_color(const py::handle& value, std::string_view name, const Range& range) {
-    const std::string expected =
-        fmt::format("a color: three numbers, each {}; one number for grey; or '#rrggbb'", range.text);
+    const std::string expected = fmt::format(
+        "a color: three numbers, each {}; one number for grey; '#rrggbb'; or a name, such as 'red'",
+        range.text);
     double c[4] = {};
+    bool is_bytes = false;
     if (py::isinstance<py::str>(value)) {
-        if (!parse_hex(value.cast<std::string>(), c)) fail(name, expected, value);
+        if (!parse_hex(value.cast<std::string>(), c)) {
+            const py::object named = from_package("glint._colors", "named_color")(value);
+            if (named.is_none()) fail(name, expected, value);
+            numbers(named, name, expected, 3, 3, c);
+        }
     } else if (is_number(value)) {
-        c[0] = c[1] = c[2] = to_number(value, name, range);
+        is_bytes = py::isinstance(value, from_package("numpy", "uint8"));
+        c[0] = c[1] = c[2] = is_bytes ? PyFloat_AsDouble(value.ptr()) : to_number(value, name, range);
     } else {
+        is_bytes = py::isinstance<py::array_t<std::uint8_t>>(value);
         numbers(value, name, expected, 3, 4, c);
     }
+    if (is_bytes)
+        for (double& channel : c) channel /= 255;
     for (int i = 0; i < 3; ++i)
         if (!range.contains(c[i])) fail(name, expected, value);
     return {c[0], c[1], c[2]};

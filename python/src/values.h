@@ -35,7 +35,8 @@ Vec3 to_vec3(const py::handle& value, std::string_view name);
 Vec3 to_point(const py::handle& value, std::string_view name);
 /// Any length but 0.
 Vec3 to_direction(const py::handle& value, std::string_view name);
-/// From three numbers, from four (the alpha of a colormap is left out), one (grey) or "#rrggbb".
+/// From three numbers, from four (the alpha of a colormap is left out), one (grey), "#rrggbb" or a
+/// name. Of uint8, 255 is 1.
 Color to_color(const py::handle& value, std::string_view name, const Range& range);
 Attenuation to_attenuation(const py::handle& value, std::string_view name);
 /// From a matrix of 3x4 or 4x4.

@@ -39,6 +39,32 @@ def test_types_of_the_document(tmp_path):
     assert checked.returncode == 0, checked.stdout
 
 
+PLANTED = [
+    'scene.render(shading="lambert")',
+    'glint.load("a.json", shading="lambert")',
+    'glint.Light("sun")',
+    'glint.Light("point").kind = "sun"',
+    'glint.Camera(projection="fisheye")',
+    'glint.Camera((0, 0, 5))',
+    'glint.Texture("a.png", wrap_u="tile")',
+    'glint.Sphere((0, 0, 0), 1, material="gold")',
+    'glint.Material(colr=(1, 0, 0))',
+    'scene.backgroud = (0, 0, 0)',
+    'scene.lights.append(glint.Camera())',
+    'scene.render(size="large", aa=1.5)',
+    'scene.render().save("a.png", transfer="gamma")',
+    'scene.fog = glint.Fog("dense")',
+]
+
+
+def test_planted_errors_are_found(tmp_path):
+    lines = ["import glint", "scene = glint.Scene()", *PLANTED]
+    (tmp_path / "program.py").write_text("\n".join(lines), encoding="utf-8")
+    checked = mypy("mypy", "--strict", "--cache-dir", str(tmp_path / "cache"), "program.py", cwd=tmp_path)
+    found = {int(number) for number in re.findall(r"^program.py:(\d+): error", checked.stdout, re.MULTILINE)}
+    assert found == set(range(3, 3 + len(PLANTED))), checked.stdout
+
+
 def test_stubs_are_those_of_the_module(tmp_path):
     """So each row of the tables of fields has its line in the stubs."""
     allowed = tmp_path / "allowed"

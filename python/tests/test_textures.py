@@ -238,7 +238,7 @@ def test_refuses_values():
             setattr(texture, name, value)
         with pytest.raises(ValueError, match=message):
             glint.Texture(TEXELS, **{name: value})
-    with pytest.raises(TypeError, match="did you mean `wrap_u`"):
+    with pytest.raises(TypeError, match="did you mean .wrap_u."):
         glint.Texture(TEXELS, wrapu="clamp")
     for wrong in (0, "tiles", TEXELS):
         with pytest.raises(TypeError, match="texture: expected a Texture or None"):
