@@ -9,7 +9,7 @@ from .passes import BUILT_IN, OWN
 from .properties import COMMAND_SETTINGS, draw_rt2_settings, draw_settings
 
 # Panels of what glint has not, or has a panel of its own for.
-EXCLUDED = {"DATA_PT_light", "VIEWLAYER_PT_filter", "VIEWLAYER_PT_layer_passes", "RENDER_PT_gpencil",
+EXCLUDED = {"DATA_PT_light", "DATA_PT_area", "VIEWLAYER_PT_filter", "VIEWLAYER_PT_layer_passes", "RENDER_PT_gpencil",
             "RENDER_PT_post_processing"}
 # Panels that Blender offers to Eevee and Cycles, but whose settings the exporter reads.
 SHARED = {"EEVEE_MATERIAL_PT_context_material", "EEVEE_MATERIAL_PT_surface", "EEVEE_WORLD_PT_surface",
@@ -57,6 +57,18 @@ class OBJECT_PT_glint(_Panel, bpy.types.Panel):
     def draw(self, context):
         self.layout.use_property_split = True
         self.layout.prop(context.object, "glint_shape", text="Shape")
+
+
+class DATA_PT_glint_light(_Panel, bpy.types.Panel):
+    bl_label, bl_context = "glint", "data"
+
+    @classmethod
+    def poll(cls, context):
+        return context.light is not None and context.engine in cls.COMPAT_ENGINES
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        self.layout.prop(context.light, "use_shadow", text="Shadow")
 
 
 class MATERIAL_PT_glint(_Panel, bpy.types.Panel):
@@ -157,8 +169,8 @@ def _compatible_panels():
             yield panel
 
 
-classes = (RENDER_PT_glint, RENDER_PT_glint_command, OBJECT_PT_glint, MATERIAL_PT_glint, GLINT_OT_material_key, GlintLayerSettings,
-           VIEWLAYER_PT_glint_passes)
+classes = (RENDER_PT_glint, RENDER_PT_glint_command, OBJECT_PT_glint, DATA_PT_glint_light, MATERIAL_PT_glint, GLINT_OT_material_key,
+           GlintLayerSettings, VIEWLAYER_PT_glint_passes)
 
 
 def register():
