@@ -9,7 +9,7 @@ from .passes import BUILT_IN, OWN
 from .properties import COMMAND_SETTINGS, draw_rt2_settings, draw_settings
 
 # Panels of what glint has not, or has a panel of its own for.
-EXCLUDED = {"DATA_PT_light", "VIEWLAYER_PT_filter", "VIEWLAYER_PT_layer_passes", "RENDER_PT_gpencil",
+EXCLUDED = {"DATA_PT_light", "DATA_PT_area", "VIEWLAYER_PT_filter", "VIEWLAYER_PT_layer_passes", "RENDER_PT_gpencil",
             "RENDER_PT_post_processing"}
 # Panels that Blender offers to Eevee and Cycles, but whose settings the exporter reads.
 SHARED = {"EEVEE_MATERIAL_PT_context_material", "EEVEE_MATERIAL_PT_surface", "EEVEE_WORLD_PT_surface",
@@ -36,6 +36,8 @@ class RENDER_PT_glint(_Panel, bpy.types.Panel):
         self.layout.prop(context.scene.glint, "picture")
         draw = draw_rt2_settings if context.scene.glint.picture == "RT2" else draw_settings
         draw(self.layout, context.scene)
+        if context.scene.glint.picture != "RT2":
+            self.layout.prop(context.scene.render, "film_transparent", text="Transparent film")
 
 
 class RENDER_PT_glint_command(_Panel, bpy.types.Panel):
@@ -45,6 +47,10 @@ class RENDER_PT_glint_command(_Panel, bpy.types.Panel):
         self.layout.use_property_split = True
         for name in COMMAND_SETTINGS:
             self.layout.prop(context.scene.glint, name)
+        render = context.scene.render
+        self.layout.prop(render, "threads_mode")
+        if render.threads_mode == "FIXED":
+            self.layout.prop(render, "threads")
 
 
 class OBJECT_PT_glint(_Panel, bpy.types.Panel):
@@ -57,6 +63,18 @@ class OBJECT_PT_glint(_Panel, bpy.types.Panel):
     def draw(self, context):
         self.layout.use_property_split = True
         self.layout.prop(context.object, "glint_shape", text="Shape")
+
+
+class DATA_PT_glint_light(_Panel, bpy.types.Panel):
+    bl_label, bl_context = "glint", "data"
+
+    @classmethod
+    def poll(cls, context):
+        return context.light is not None and context.engine in cls.COMPAT_ENGINES
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        self.layout.prop(context.light, "use_shadow", text="Shadow")
 
 
 class MATERIAL_PT_glint(_Panel, bpy.types.Panel):
@@ -147,6 +165,33 @@ class VIEWLAYER_PT_glint_passes(_Panel, bpy.types.Panel):
             layout.prop(layer.glint, name)
 
 
+class WORLD_PT_glint_mist(_Panel, bpy.types.Panel):
+    bl_label, bl_context, bl_options = "Mist", "world", {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context):
+        return context.world is not None and context.engine in cls.COMPAT_ENGINES
+
+    def draw(self, context):
+        layout, mist = self.layout, context.world.mist_settings
+        layout.use_property_split = True
+        layout.prop(context.scene.glint, "mist")
+        layout.prop(mist, "start")
+        layout.prop(mist, "depth")
+
+
+class VIEWLAYER_PT_glint_override(_Panel, bpy.types.Panel):
+    bl_label, bl_context, bl_options = "Override", "view_layer", {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context):
+        return context.engine in cls.COMPAT_ENGINES
+
+    def draw(self, context):
+        self.layout.use_property_split = True
+        self.layout.prop(context.view_layer, "material_override")
+
+
 def _compatible_panels():
     for panel in bpy.types.Panel.__subclasses__():
         engines = getattr(panel, "COMPAT_ENGINES", None)
@@ -157,8 +202,8 @@ def _compatible_panels():
             yield panel
 
 
-classes = (RENDER_PT_glint, RENDER_PT_glint_command, OBJECT_PT_glint, MATERIAL_PT_glint, GLINT_OT_material_key, GlintLayerSettings,
-           VIEWLAYER_PT_glint_passes)
+classes = (RENDER_PT_glint, RENDER_PT_glint_command, OBJECT_PT_glint, DATA_PT_glint_light, MATERIAL_PT_glint, GLINT_OT_material_key,
+           GlintLayerSettings, VIEWLAYER_PT_glint_passes, VIEWLAYER_PT_glint_override, WORLD_PT_glint_mist)
 
 
 def register():

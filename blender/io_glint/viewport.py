@@ -21,6 +21,8 @@ from .export.scene import SceneText, write_parts
 from .progressive_renderer import ProgressiveRenderer, ViewRequest, SceneParts
 
 REST = 0.002  # seconds between two steps, for the user's events
+CALM_SECONDS = 0.1  # without a new view, until its picture is refined: an orbit's pictures are followed by others
+LONGEST_PAUSE = 0.4  # between two views of an orbit
 SHOWN_SECONDS = 0.2  # between two states of a picture that are drawn: Blender itself may need as long as several steps
 _open = weakref.WeakSet()
 
@@ -35,6 +37,7 @@ class Viewport:
         self._images = Images(os.path.join(self._folder.name, "textures"), "textures")
         self._texture, self._is_changed = None, True  # is_changed: the renderer has more than the texture
         self._drawn_at, self._fault, self._settings = 0.0, "", None
+        self._asked_at = self._calm_at = 0.0
         _open.add(self)
 
     def close(self):
@@ -118,6 +121,9 @@ class Viewport:
             return False
         self._wanted = wanted
         self.renderer.ask(wanted)
+        now = time.monotonic()
+        pause, self._asked_at = now - self._asked_at, now
+        self._calm_at = now + max(CALM_SECONDS, 1.5 * pause if pause < LONGEST_PAUSE else 0)
         if not bpy.app.timers.is_registered(self._timer):
             bpy.app.timers.register(self._timer, first_interval=REST)
         return True
@@ -127,6 +133,9 @@ class Viewport:
         engine = self._engine()
         if engine is None or self._timer is None:
             return None
+        wait = self._calm_at - time.monotonic()
+        if wait > 0 and not self.renderer.is_final:
+            return wait
         self.renderer.step()
         self._is_changed = True
         try:

@@ -40,17 +40,13 @@ class View:
     def depth(self, point):
         return self._coordinates(point)[2]
 
-    def clips(self, points):
-        """Whether one of these points is in the picture, but cut off by Blender's clipping."""
+    def clips(self, point):
+        """Whether a point is in the picture, but cut off by Blender's clipping. The point's coordinates may be arrays of numpy."""
         near, far = self.clip
-        for point in points:
-            x, y, depth = self._coordinates(point)
-            if near <= depth <= far or not depth > 0:
-                continue
-            scale = depth if self.is_perspective else 1.0
-            if self.left <= x / scale <= self.right_edge and self.bottom <= y / scale <= self.top:
-                return True
-        return False
+        x, y, depth = self._coordinates(point)
+        scale = depth if self.is_perspective else 1.0
+        return ((depth > 0) & ((depth < near) | (depth > far)) & (self.left * scale <= x) & (x <= self.right_edge * scale)
+                & (self.bottom * scale <= y) & (y <= self.top * scale))
 
     def ray_lengths(self, crop=None):
         """For each pixel, rows from the top: the length of its ray from the eye to the depth 1; glint's depths are lengths.

@@ -138,7 +138,7 @@ TABLES = {
         read="diffuse_color metallic roughness specular_intensity use_nodes node_tree pass_index",
         warned={
             "its shadow mode is ignored: 'Shadow of glass' is glint's": "shadow_method",
-            "its backface culling is ignored: both sides are visible": "use_backface_culling use_backface_culling_shadow"},
+            "its backface culling is ignored, as in Cycles: both sides are visible": "use_backface_culling use_backface_culling_shadow"},
         irrelevant={
             DONE: "animation_data",
             SHOWN: "preview_render_type use_preview_world texture_paint_* paint_* specular_color line_color line_priority",

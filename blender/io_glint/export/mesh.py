@@ -13,6 +13,7 @@ from .vectors import cross, dot, sub
 MAX_COORDINATE = 1e12
 MAX_RECOGNISED = 50_000  # vertices, without numpy; for more, looking for a shape takes longer than drawing the triangles
 MAX_CORNERS = 64  # of a face that is written as one polygon
+INDEX = "I"  # the type that Blender 3 stores corners' numbers in, which are read several times as fast so
 FLAT = 1e-6  # 1 - cosine, below which a corner's normal is the face's
 
 
@@ -23,6 +24,18 @@ def _read(collection, attribute, kind, width):
     return values
 
 
+def _normals(mesh, evaluated):
+    """Those of corners."""
+    if hasattr(mesh, "corner_normals"):  # from 4.1
+        return _read(mesh.corner_normals, "vector", "f", 3)
+    has_them = evaluated is not None and len(evaluated.loops) == len(mesh.loops) and any(evaluated.loops[0].normal)
+    if has_them:
+        next(iter(mesh.polygon_normals))  # makes them, as calc_normals_split() does: quads become other triangles without
+    else:
+        mesh.calc_normals_split()  # with normals of one's own, this takes longer than all else
+    return _read(evaluated.loops if has_them else mesh.loops, "normal", "f", 3)
+
+
 def _triples(values):
     return list(zip(values[0::3], values[1::3], values[2::3]))
 
@@ -30,23 +43,19 @@ def _triples(values):
 class MeshData:
     """One evaluated mesh in its own space: Blender's arrays, and lists of tuples where they are asked for."""
 
-    def __init__(self, mesh):
-        if hasattr(mesh, "calc_normals_split"):  # to 4.0
-            mesh.calc_normals_split()
+    def __init__(self, mesh, evaluated=None):
+        """evaluated: the mesh that `mesh` is a copy of, if there is one."""
+        self.raw_normals = _normals(mesh, evaluated)
         mesh.calc_loop_triangles()
         self.raw_vertices = _read(mesh.vertices, "co", "f", 3)
         triangles = mesh.loop_triangles
-        self.raw_loops = _read(triangles, "loops", "i", 3)
-        self.loop_vertices = _read(mesh.loops, "vertex_index", "i", 1)
+        self.raw_loops = _read(triangles, "loops", INDEX, 3)
+        self.loop_vertices = _read(mesh.loops, "vertex_index", INDEX, 1)
         self.raw_corners = (_read(triangles, "vertices", "i", 3) if mesh_file.np is None  # which takes longer
                             else mesh_file.taken(self.loop_vertices, self.raw_loops))
         self.areas = _read(triangles, "area", "f", 1)
         self.raw_face_normals = _read(triangles, "normal", "f", 3)
         self.slots = _read(triangles, "material_index", "i", 1)
-        if hasattr(mesh, "corner_normals"):  # from 4.1
-            self.raw_normals = _read(mesh.corner_normals, "vector", "f", 3)
-        else:
-            self.raw_normals = _read(mesh.loops, "normal", "f", 3)
         self.smooth = _read(mesh.polygons, "use_smooth", "b", 1)
         self.starts = _read(mesh.polygons, "loop_start", "i", 1)
         self.totals = _read(mesh.polygons, "loop_total", "i", 1)
@@ -157,7 +166,8 @@ class MeshCache:
         return self._layers[key]
 
 
-def _read_object(ob, read=MeshData):
+def _read_object(ob, read=None):
+    read = read or (lambda copy: MeshData(copy, ob.data if ob.type == "MESH" else None))
     try:
         evaluated = ob.to_mesh()
     except RuntimeError:  # a curve that has no surface, for example

@@ -12,6 +12,7 @@ except ImportError:  # Debian's Blender does not require it
     np = None
 
 MIN_TRIANGLES = 1000
+MAX_SHARED = 8  # vertices of the file at one place that corners share; each more takes a pass over the rest
 MAX_CONDITION = 1e6  # of a transform; glint refuses 1e7
 
 
@@ -65,7 +66,7 @@ def digest(data):
     if np is None:
         return None
     key = hashlib.blake2b(digest_size=16)
-    for values in (data.raw_vertices, data.raw_corners, data.raw_loops, data.slots, data.smooth):
+    for values in (data.raw_vertices, data.loop_vertices, data.starts, data.totals, data.slots, data.smooth):
         key.update(values)
     key.update(np.round(np.frombuffer(data.raw_normals, np.float32) * 1000).astype(np.int16).tobytes())
     return key.digest()
@@ -83,6 +84,12 @@ def _digest_of_layers(layers):
     return "_" + key.hexdigest()
 
 
+def points(data, rows):
+    """(x, y, z) of a mesh's vertices in the world, as arrays."""
+    local = np.frombuffer(data.raw_vertices, np.float32).reshape(-1, 3).astype(float)
+    return tuple((local @ np.array(rows, float)[:3, :3].T + np.array(rows, float)[:3, 3]).T)
+
+
 def may_be_a_shape(data):
     """Whether looking for a sphere, a cylinder, a cone, a disc or a box is worth the time: vertices at one distance from the
     middle, or in the two end planes of an axis."""
@@ -98,15 +105,12 @@ def may_be_a_shape(data):
 def ply_by_slot(data, layers):
     """(slot, bytes of a .ply) for each material slot that has triangles with an area. layers: slot -> its Layers."""
     vertices = np.frombuffer(data.raw_vertices, np.float32).reshape(-1, 3)
-    corners = np.frombuffer(data.raw_corners, np.int32).reshape(-1, 3)
+    at = np.frombuffer(data.loop_vertices, np.int32)  # of each corner of a face
     loops = np.frombuffer(data.raw_loops, np.int32).reshape(-1, 3)
     normals = np.frombuffer(data.raw_normals, np.float32).reshape(-1, 3)
-    faces = np.frombuffer(data.raw_face_normals, np.float32).reshape(-1, 3)
     slots = np.frombuffer(data.slots, np.int32)
     has_area = np.frombuffer(data.areas, np.float32) > 0
-    # Flat: all corners have the face's normal. glint takes (0, 0, 0) for it.
-    at_corners = normals[loops]
-    is_flat = ((at_corners * faces[:, None, :]).sum(2) > 1 - 1e-6).all(1)
+    is_flat = _flat_triangles(normals, loops, np.frombuffer(data.raw_face_normals, np.float32).reshape(-1, 3))
     for slot in np.unique(slots):
         chosen = has_area & (slots == slot)
         if not chosen.any():
@@ -116,64 +120,75 @@ def ply_by_slot(data, layers):
         names, columns = [], []  # what the corners have, besides a place
         if not is_flat[chosen].all():
             names += ["nx", "ny", "nz"]
-            columns.append(_normals_to_write(corners[chosen], at_corners[chosen], is_flat[chosen], len(vertices)))
+            columns.append(_normals_to_write(normals, at, loops[chosen], is_flat[chosen]))
         for values, some in zip(layers.get(int(slot), (None, None, ""))[:2], (["s", "t"], ["red", "green", "blue"])):
             if values is not None:
                 names += some
-                columns.append(np.frombuffer(values, np.float32).reshape(-1, len(some))[loops[chosen].reshape(-1)])
-        yield int(slot), _ply(vertices, corners[chosen], names, columns)
+                columns.append(np.frombuffer(values, np.float32).reshape(-1, len(some)))
+        yield int(slot), _ply(vertices, at, loops[chosen], names, columns)
 
 
-def _normals_to_write(corners, at_corners, is_flat, count):
-    """A normal for each corner: its own where all corners at a vertex have one, and else (0, 0, 0), which they can share, for those of
-    flat triangles."""
-    own, at = at_corners.reshape(-1, 3), corners.reshape(-1)
-    first = np.zeros((count, 3), np.float32)
-    first[at] = own
-    return own if np.array_equal(first[at], own) else np.where(is_flat[:, None, None], np.float32(0), at_corners).reshape(-1, 3)
+def _flat_triangles(normals, loops, faces):
+    """For each triangle, whether all its corners have its normal."""
+    is_flat = np.ones(len(loops), bool)
+    for corner in loops.T:
+        is_flat &= np.einsum("ij,ij->i", normals[corner], faces) > 1 - 1e-6
+    return is_flat
 
 
-def _ply(vertices, corners, names, columns):
+def _normals_to_write(normals, at, loops, is_flat):
+    """A normal for each corner of a face: its own where all corners at a vertex have one, and else (0, 0, 0), which they can share, for
+    those of flat triangles alone."""
+    if not is_flat.any():
+        return normals
+    one = np.zeros(int(at.max()) + 1, np.int32)
+    one[at] = np.arange(len(at), dtype=np.int32)
+    if np.array_equal(normals[one[at]], normals):
+        return normals
+    is_needed = np.zeros(len(normals), bool)
+    is_needed[loops[~is_flat]] = True
+    return np.where(is_needed[:, None], normals, np.float32(0))
+
+
+def _ply(vertices, at, loops, names, columns):
+    """columns: floats for each corner of a face, whose vertices are `at`; names: of all these."""
     if not columns:
-        used, numbers = _used(corners, len(vertices))
+        used, numbers = _used(at[loops], len(vertices))
         return _bytes(vertices[used], names, numbers)
     wanted = np.hstack(columns) if len(columns) > 1 else columns[0]
-    at = corners.reshape(-1)
-    # A vertex for each pair of a place and what its corners have: at most places, all corners have the same.
-    first = np.zeros((len(vertices), wanted.shape[1]), np.float32)
-    first[at] = wanted
-    is_split = np.zeros(len(vertices), bool)
-    for ours, theirs in zip(first[at].T, wanted.T):
-        is_split[at[ours != theirs]] = True
-    splits = is_split[at]
-    used, numbers = _used(at, len(vertices), is_split)
-    table = [np.hstack([vertices[used], first[used]])]
-    if splits.any():
-        some = wanted[splits]
-        index, new = _distinct(np.hstack([at[splits][:, None], np.ascontiguousarray(some).view(np.int32)]))
-        numbers[splits] = len(table[0]) + new
-        table.append(np.hstack([vertices[at[splits][index]], some[index]]))
-    return _bytes(np.concatenate(table), names, numbers.reshape(-1, 3))
+    chosen, rows = _shared(at, np.flatnonzero(_used(loops, len(at))[0]), wanted, len(vertices))
+    return _bytes(np.hstack([vertices[at[chosen]], wanted[chosen]]), names, rows[loops])
 
 
-def _distinct(rows):
-    """(the numbers of rows that differ from all others of these, for each row which of them it is). Rows are compared by a hash,
-    which is much faster than by their numbers; should two rows have the same hash, they are compared by these."""
-    keys = np.zeros(len(rows), np.uint64)
-    for column in rows.T:
-        keys = (keys ^ column.astype(np.uint32)) * np.uint64(0x9E3779B97F4A7C15)
-        keys ^= keys >> np.uint64(29)
-    _, index, numbers = np.unique(keys, return_index=True, return_inverse=True)
-    if not np.array_equal(rows[index][numbers], rows):
-        _, index, numbers = np.unique(rows, axis=0, return_index=True, return_inverse=True)
-    return index, numbers.reshape(-1)
+def _shared(at, left, wanted, count):
+    """(the corners that become a vertex of the file, for each corner the number of its vertex among these): one for each pair of a
+    place and what the corners there have. left: the corners that matter; count: of places."""
+    rows, first = np.zeros(len(at), np.int32), np.zeros(count, np.int32)
+    chosen, number = [], 0
+    for _ in range(MAX_SHARED):
+        places = at[left]
+        first[places] = left
+        like = first[places]
+        made = left[like == left]
+        rows[made] = np.arange(number, number + len(made), dtype=np.int32)
+        number += len(made)
+        chosen.append(made)
+        is_same = np.ones(len(left), bool)
+        for column in wanted.T:
+            is_same &= column[like] == column[left]
+        is_same |= like == left  # a NaN is not equal to itself
+        rows[left[is_same]] = rows[like[is_same]]
+        left = left[~is_same]
+        if not len(left):
+            break
+    rows[left] = np.arange(number, number + len(left), dtype=np.int32)
+    return np.concatenate([*chosen, left]), rows
 
 
-def _used(corners, count, without=False):
-    """(which of the vertices have a triangle and are not `without`, the corners' numbers among these)"""
+def _used(corners, count):
+    """(which of so many are named, their numbers among these)"""
     used = np.zeros(count, bool)
     used[corners] = True
-    used &= ~np.asarray(without)
     return used, (np.cumsum(used, dtype=np.int32) - 1)[corners]
 
 
@@ -184,4 +199,4 @@ def _bytes(table, names, triangles):
                       "property list uchar int vertex_indices\nend_header\n"])
     faces = np.empty(len(triangles), [("count", "u1"), ("corners", "<i4", 3)])
     faces["count"], faces["corners"] = 3, triangles
-    return header.encode() + table.astype("<f4").tobytes() + faces.tobytes()
+    return b"".join((header.encode(), np.ascontiguousarray(table, "<f4"), faces))

@@ -2,7 +2,7 @@
 """A depsgraph as the text of a .glint scene."""
 import gc
 
-from . import camera, ignored, light, material, measure, mesh, mesh_text, phong, shape_text, shapes, text, walk, world
+from . import camera, ignored, light, material, measure, mesh, mesh_file, mesh_text, phong, shape_text, shapes, text, walk, world
 from .images import Images
 
 MAX_REFLECTIONS = 12
@@ -151,7 +151,9 @@ class SceneText:
         depths = [self.view.depth(p) for p in mesh.transformed(rows, data.corners_of_bounds())]
         if near <= min(depths) and max(depths) <= far:
             return False
-        return self.view.clips(mesh.transformed(rows, data.vertices))
+        if mesh_file.np is not None:
+            return bool(mesh_file.np.any(self.view.clips(mesh_file.points(data, rows))))
+        return any(map(self.view.clips, mesh.transformed(rows, data.vertices)))
 
     def _add_mesh(self, item, data, rows, names, layers):
         corners = mesh.polygon_vertices(data, rows) if not layers else None

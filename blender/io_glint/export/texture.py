@@ -7,7 +7,7 @@ from .images import Variant
 from .text import block, number, string, vector
 
 IDENTITY = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))
-WRAPS = {"REPEAT": "repeat", "EXTEND": "clamp", "CLIP": "clamp", "MIRROR": "mirror"}
+WRAPS = {"REPEAT": "repeat", "EXTEND": "clamp", "CLIP": "clip", "MIRROR": "mirror"}
 WHITE = (1.0, 1.0, 1.0)
 
 
@@ -25,18 +25,24 @@ class ImageUse:
     alpha: bool = False  # whether its alpha is the surface's
 
     @property
+    def has_border(self):
+        """Whether a border of one texel ends the image: Cycles mixes with black between the edge and half a texel beyond, where the
+        wrap `clip` mixes with the texel at the edge."""
+        return self.extension == "CLIP" and self.is_smooth
+
+    @property
     def variant(self):
-        return Variant(self.color, self.alpha, self.extension == "CLIP")
+        return Variant(self.color, self.alpha, self.has_border)
 
     def entries(self, shown, encoding, cutoff):
         """Keys of a `texture`. cutoff: the alpha from which on there is a surface; None: alpha blends."""
         rows = self.uv_map
-        if self.extension == "CLIP":  # beyond an image is black and transparency: a border of one texel has them
+        if self.has_border:  # it is black and transparent
             sizes = tuple(self.image.size)
             rows = tuple(tuple((v * n + (1 if i == 2 else 0)) / (n + 2) for i, v in enumerate(row)) for row, n in zip(rows, sizes))
         yield "file", string(shown)
         yield "encoding", encoding
-        wrap = WRAPS[self.extension]
+        wrap = "clamp" if self.has_border else WRAPS[self.extension]
         if wrap != "repeat":
             yield "wrap_u", wrap
             yield "wrap_v", wrap

@@ -23,6 +23,11 @@ class Install(SceneTest):
         with unittest.mock.patch.object(preferences, "DOCUMENTATION", "/nowhere"), self.assertRaisesRegex(RuntimeError, "zip"):
             bpy.ops.glint.documentation()
 
+    def test_the_interface_has_what_is_read(self):
+        """Panels for settings that Blender shows for its own engines only."""
+        for name in ("WORLD_PT_glint_mist", "DATA_PT_EEVEE_light", "VIEWLAYER_PT_glint_override", "DATA_PT_glint_light"):
+            self.assertIn("GLINT", getattr(bpy.types, name).COMPAT_ENGINES, name)
+
     def traces(self):
         return [hasattr(bpy.types, "EXPORT_SCENE_OT_rt2"), hasattr(bpy.types.Scene, "glint"),
                 hasattr(bpy.types.Object, "glint_shape"), hasattr(bpy.types.ViewLayer, "glint"),

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Large meshes as .ply files: the same surfaces, normals, materials and places as triangles in the text."""
+import math
 import os
+import random
+import re
 
 import bpy
 from io_glint.export import mesh_file
@@ -47,6 +50,41 @@ class MeshFiles(SceneTest):
         for polygon in ob.data.polygons:
             polygon.use_smooth = polygon.index % 2 == 0
         self.check_same_picture(1)
+
+    def count_vertices(self):
+        """Those of the only file."""
+        (name,) = self.files()
+        with open(os.path.join(self.path("scene_meshes"), name), "rb") as file:
+            return int(re.search(rb"element vertex (\d+)", file.read(1000))[1])
+
+    def test_own_normals(self):
+        """More at one vertex than are compared there."""
+        count = 1500
+        ring = [(math.cos(2 * math.pi * i / count), math.sin(2 * math.pi * i / count), 0.5) for i in range(count)]
+        data = self.mesh("fan", [(0, 0, 0), *ring], [(0, 1 + i, 1 + (i + 1) % count) for i in range(count)]).data
+        numbers = random.Random(1)
+        for polygon in data.polygons:
+            polygon.use_smooth = True
+        if hasattr(data, "use_auto_smooth"):  # to 4.0
+            data.use_auto_smooth, data.auto_smooth_angle = True, math.pi
+            data.calc_normals_split()
+        normals = [(numbers.uniform(-1, 1), numbers.uniform(-1, 1), 2) for _ in data.polygons]
+        data.normals_split_custom_set([n for n, polygon in zip(normals, data.polygons) for _ in polygon.loop_indices])
+        data.update()
+        self.check_same_picture(1)
+        self.assertGreater(self.count_vertices(), 2 * len(data.vertices))
+
+    def test_sharp_edges_share_vertices(self):
+        """Two normals at each vertex of a fold: two vertices."""
+        n = 600
+        points = [(x / n, y, z) for y, z in ((-1, 0.5), (0, 0), (1, 0.5)) for x in range(n)]
+        faces = [(row * n + i, row * n + i + 1, row * n + n + i + 1, row * n + n + i) for row in (0, 1) for i in range(n - 1)]
+        ob = self.mesh("fold", points, faces, smooth=True)
+        if hasattr(ob.data, "use_auto_smooth"):
+            ob.data.use_auto_smooth, ob.data.auto_smooth_angle = True, 0.1
+        ob.data.vertices[0].co.z += 0.01  # not flat everywhere
+        self.export()
+        self.assertLess(self.count_vertices(), 4 * n + 4)
 
     def test_materials_of_faces(self):
         ob = self.monkey()

@@ -173,7 +173,7 @@ class Named(SceneTest):
         self.ball.data.materials.append(material)
         material.shadow_method, material.use_backface_culling = "NONE", True
         material.cycles.use_transparent_shadow = False
-        for words in ("shadow mode", "backface culling", "'Transparent Shadows'"):
+        for words in ("shadow mode", "backface culling is ignored, as in Cycles", "'Transparent Shadows'"):
             self.assert_named("material 'leaf'", words)
 
     def test_objects(self):

@@ -2,6 +2,8 @@
 """Image textures: the same places, edges, colors and transparency as in Cycles; and what has none."""
 import math
 import os
+import re
+import struct
 
 import bpy
 from textured import Textured
@@ -98,6 +100,17 @@ class Keys(Textured):
     def setUp(self):
         super().setUp()
         self.lamp()
+
+    def test_clip_without_mixing_needs_no_other_image(self):
+        self.add("plane", material=self.textured(self.image(), extension="CLIP"))
+        sizes = {}
+        for interpolation in ("Closest", "Linear"):
+            self.node.interpolation = interpolation
+            block = self.block("texture", self.export())
+            self.assertIn('wrap_u = clip' if interpolation == "Closest" else 'wrap_u = clamp', block)
+            with open(self.path(re.search(r'file = "([^"]*)"', block)[1]), "rb") as file:
+                sizes[interpolation] = struct.unpack(">II", file.read(24)[16:])
+        self.assertEqual(sizes, {"Closest": (8, 8), "Linear": (10, 10)})
 
     def test_the_uv_map_of_a_name_and_that_of_renders(self):
         self.add("plane", material=self.textured(self.image()))

@@ -3,6 +3,7 @@
 import os
 import tempfile
 import unittest
+import unittest.mock
 
 import bpy
 
@@ -39,6 +40,26 @@ class Interface(unittest.TestCase):
                 area.spaces[0].context = context
                 area.tag_redraw()
                 self.assertEqual(bpy.ops.wm.redraw_timer(type="DRAW_WIN_SWAP", iterations=1), {"FINISHED"})
+
+    def test_the_panels_of_a_light(self):
+        """Each setting once, and the shadow."""
+        scene = bpy.context.scene
+        scene.render.engine = "GLINT"
+        lamp = next(ob for ob in scene.objects if ob.type == "LIGHT")
+        self.addCleanup(setattr, bpy.context.view_layer.objects, "active", bpy.context.view_layer.objects.active)
+        bpy.context.view_layer.objects.active = lamp
+        old, lamp.data.type = lamp.data.type, "AREA"
+        self.addCleanup(setattr, lamp.data, "type", old)
+        self.assertNotIn("GLINT", bpy.types.DATA_PT_area.COMPAT_ENGINES)  # Eevee's panel has the area's shape
+        self.assertIn("GLINT", bpy.types.DATA_PT_EEVEE_light.COMPAT_ENGINES)
+        area = next(a for a in self.window.screen.areas if a.type == "PROPERTIES")
+        drawn, real = [], bpy.types.DATA_PT_glint_light.draw
+        with unittest.mock.patch.object(bpy.types.DATA_PT_glint_light, "draw", lambda panel, c: (real(panel, c), drawn.append(c.light))), \
+                bpy.context.temp_override(window=self.window, area=area):
+            area.spaces[0].context = "DATA"
+            area.tag_redraw()
+            bpy.ops.wm.redraw_timer(type="DRAW_WIN_SWAP", iterations=1)
+        self.assertIn(lamp.data, drawn)
 
     def test_the_panel_of_warnings(self):
         from io_glint import warnings_panel

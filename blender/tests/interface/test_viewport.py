@@ -149,6 +149,25 @@ class RenderedMode(unittest.TestCase):
         self.wait()
         self.assertGreater(self.difference(before, self.screenshot()), 0.003)
 
+    def test_an_orbit_is_not_refined(self):
+        """Between its pictures, Blender's time is for the next; afterwards, the last is."""
+        self.scene.glint.aa = 3
+        self.space.region_3d.view_perspective, self.space.region_3d.view_distance = "PERSP", 6
+        self.wait()
+        viewport = self.viewport()
+        for _ in range(3):
+            self.space.region_3d.view_rotation = self.space.region_3d.view_rotation @ Quaternion((0, 1, 0), 0.1)
+            self.redraw()
+            with unittest.mock.patch.object(viewport.renderer, "step") as step:
+                viewport._calm_at = time.monotonic() + 0.05  # pylint: disable=protected-access
+                self.assertGreater(viewport._refine(), 0)  # pylint: disable=protected-access
+            step.assert_not_called()
+        time.sleep(0.06)
+        with unittest.mock.patch.object(viewport.renderer, "step") as step:
+            viewport._refine()  # pylint: disable=protected-access
+        step.assert_called_once()
+        self.wait()
+
     def test_the_viewport_of_rt2(self):
         with bpy.context.temp_override(window=self.window):
             bpy.ops.glint.rt2_exercise()
