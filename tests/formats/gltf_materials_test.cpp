@@ -104,7 +104,8 @@ GltfText with_pictures(const std::string& material, const std::string& texels) {
     GltfText file = gltf_square(material);
     const std::string ppm = "P6 2 2 255\n" + texels;
     file.members["images"] = fmt::format(
-        R"([{{"uri": "data:image/x-portable-pixmap;base64,{}"}}, {{"uri": "data:;base64,UDY="}}])", base64(ppm));
+        R"([{{"uri": "data:image/x-portable-pixmap;base64,{}"}}, {{"uri": "data:;base64,UDY="}}])",
+        base64(ppm));
     file.members["textures"] = R"([{"source": 0}, {"source": 1}])";
     return file;
 }
