@@ -43,7 +43,8 @@ void check_materials(CheckContext& context, bool sees);
 void check_textures(CheckContext& context, const VisibleHits& visible, bool sees);
 /// The textures that are so fine that they are noise.
 void check_texture_fineness(CheckContext& context, const VisibleHits& visible);
-/// Shapes of which the camera sees nothing but backs or holes of their textures, unless check_textures() has said why.
+/// Shapes of which the camera sees nothing but backs or holes of their textures, unless check_textures() has
+/// said why.
 void check_holes(CheckContext& context, const VisibleHits& visible);
 /// Fog that hides everything, and fog that is not visible. False if it hides everything: the other findings
 /// about the picture would then be useless.

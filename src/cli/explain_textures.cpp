@@ -57,7 +57,8 @@ std::vector<std::string> hole_lines(const Scene& scene, const ExplainedRay& ray)
     }
     const auto listed = static_cast<int>(ray.holes.size());
     if (ray.hole_count > listed)
-        lines.push_back(fmt::format("passes {} more such places, which are not listed", ray.hole_count - listed));
+        lines.push_back(
+            fmt::format("passes {} more such places, which are not listed", ray.hole_count - listed));
     return lines;
 }
 

@@ -190,7 +190,8 @@ inline bool trace_sample(const WorldParts& world, TileScratch& s) {
         for (int first = 0; first < s.rays.count; first += k_stream_size) {
             intersect(world, s.rays, first, s.hits);
             if (is_of_hits(world.fault)) put_faulty_hits(world, s.rays, s.hits);
-            if (s.rays.transparent || world.has_holes) skip_transparent(world, s.rays, s.hits, s.stepped_rays);
+            if (s.rays.transparent || world.has_holes)
+                skip_transparent(world, s.rays, s.hits, s.stepped_rays);
             if (s.rays.generation == 0 && !s.needs_every_stage() && all_missed(s.hits)) return false;
             if (s.surface_record != nullptr) {
                 for_each_range(s.hits, [&](RayRange range) { follow(world, range, s); });
