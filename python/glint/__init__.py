@@ -39,7 +39,7 @@ from ._glint import (
     isa_names,
 )
 from ._glint import version as __version__
-from ._grading import Graded, GradedPart, grade
+from ._grading import Graded, GradedPart, Grades, grade
 from ._image import Image
 from ._reports import Comparison, Explanation, Record
 from ._scene import Hits, Scene
@@ -54,7 +54,7 @@ add_methods()
 
 __all__ = [
     "Attenuation", "BackgroundGradient", "Box", "Camera", "CameraFrame", "Color", "ColorLike", "ColorScale", "Comparison", "Cone", "Cylinder",
-    "Diagnosis", "Diagnostic", "Disc", "Explanation", "Finding", "Fog", "GlintError", "GlintWarning", "Graded", "GradedPart", "Hits",
+    "Diagnosis", "Diagnostic", "Disc", "Explanation", "Finding", "Fog", "GlintError", "GlintWarning", "Graded", "GradedPart", "Grades", "Hits",
     "Image", "Light", "Material", "Mesh", "Occlusion", "Plane", "Polygon", "ProposedPixel", "Record", "Scene", "Shape", "SmoothTriangle", "Sphere",
     "Texture", "TraceLog", "Triangle", "Vec3", "VectorLike", "Versus", "check", "compare", "convert", "diagnose", "explain", "grade", "isa_names",
     "load", "loads", "profiles", "propose_pixels", "setting_infos", "show", "versus",

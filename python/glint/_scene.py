@@ -19,6 +19,7 @@ from ._lists import Lights, Materials, Shapes, Textures
 from ._many import Arrays, ManyShapes
 from ._progress import Progress, reporting
 from ._settings import Settings, to_crop, to_list
+from ._shown import ShownScene
 from ._values import Color, ColorLike, Vec3
 from ._words import SceneFormat, Shading
 
@@ -47,7 +48,7 @@ class Hits:
         return len(self.t)
 
 
-class Scene(ManyShapes):
+class Scene(ManyShapes, ShownScene):
     """Shapes, materials, lights, a camera, conventions and settings.
 
     The next picture prepares only what has changed since the last one: a new light, material or camera takes
@@ -359,12 +360,6 @@ class Scene(ManyShapes):
             )
         )
         return f"<glint.Scene {name + ': ' if name else ''}{contents}>"
-
-    def _repr_png_(self) -> bytes:
-        width, height = self.settings["size"]
-        factor = min(1.0, 320 / max(width, height))
-        size = max(1, round(factor * width)), max(1, round(factor * height))
-        return self.render(size=size).to_bytes()
 
 
 def _unpickled(text: str) -> Scene:

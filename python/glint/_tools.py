@@ -13,6 +13,8 @@ from . import _glint
 from ._expect import expect, plain
 from ._files import write_file
 from ._framing import frame_unset
+from ._html import shrunk
+from ._html_pixel import PixelView
 from ._image import Image, PathLike, to_image
 from ._progress import Progress, reporting
 from ._reports import Comparison, Explanation
@@ -182,8 +184,12 @@ def explain(
         raise ValueError(f"fold must be 0 or more, not {fold}")
     settings = dict(size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows, seed=seed)
     listed = to_list(settings) + to_list(convention or {})
-    data, text = to_scene(scene, size)._state.explain(x, y, listed, sample, fold, None)
-    return Explanation(json.loads(data), text)
+    scene = to_scene(scene, size)
+    data, text = scene._state.explain(x, y, listed, sample, fold, None)
+    explanation = Explanation(json.loads(data), text)
+    explanation._view = PixelView(scene, (x, y), {**settings, "convention": convention})
+    explanation._sample = sample
+    return explanation
 
 
 @dataclasses.dataclass(frozen=True)
@@ -244,6 +250,7 @@ def compare(
         )
     comparison = Comparison(json.loads(data), text)
     comparison.difference = Image._of(_glint.difference(first._rendering, second._rendering, 0.0))
+    comparison._shown = tuple(shrunk(image) for image in (first, second, comparison.difference))
     return comparison
 
 
@@ -259,6 +266,9 @@ class Versus:
 
     def __str__(self) -> str:
         return f"{self.comparison}\nA: {self.explanations[0]}\nB: {self.explanations[1]}"
+
+    def _repr_html_(self) -> str:
+        return "<hr>".join(part._repr_html_() for part in (self.comparison, *self.explanations))
 
 
 def versus(scene: SceneLike, a: Mapping[str, object] = {}, b: Mapping[str, object] = {}) -> Versus:
