@@ -153,7 +153,15 @@ class Image(Closed):
 
     @plain
     def to_uint8(self, *, transfer: Optional[Transfer] = None) -> npt.NDArray[np.uint8]:
-        """The bytes of a PNG without alpha, (height, width, 3), in an array of its own. transfer: as of to_bytes()."""
+        """The bytes of a PNG without alpha, (height, width, 3), in an array of its own. transfer: as of to_bytes().
+
+        A picture that was rendered with alpha=True is shown on black.
+        """
+        if "alpha" in self._rendering.layer_names():
+            colors = _glint.Rendering.decode(self.to_bytes(transfer=transfer), 0).array()
+            alpha = np.clip(self._rendering.layer("alpha"), 0, 1)
+            pixels: npt.NDArray[np.uint8] = np.rint(255 * colors * alpha).astype(np.uint8)
+            return pixels
         content = self._rendering.encode("ppm", 8, transfer)
         count = 3 * self.width * self.height
         return np.frombuffer(content, np.uint8, count, len(content) - count).reshape(self.height, self.width, 3).copy()
