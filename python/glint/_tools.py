@@ -7,11 +7,11 @@ import dataclasses
 import json
 import os
 import pathlib
-from typing import Any, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import IO, Any, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _glint
 from ._expect import expect, plain
-from ._files import write_file
+from ._files import read_source, write_file
 from ._framing import frame_unset
 from ._html import shrunk
 from ._html_pixel import PixelView
@@ -64,7 +64,7 @@ def _load(
 
 @plain
 def load(
-    *paths: PathLike,
+    *paths: Union[PathLike, IO[bytes], IO[str]],
     format: str = "",
     scene_name: str = "",
     include_path: Union[PathLike, Sequence[PathLike]] = (),
@@ -85,6 +85,8 @@ def load(
     """The scene of one file, or of several together: .cgfs, .json, .js, .pov, .nff, .dat, .ply, .stl, .obj,
     .gltf, .glb or .glint.
 
+    paths: names, or objects with read(), such as io.BytesIO(). An object that is no file on a disk includes only
+    files in the working folder, or in the folder of its name, and in include_path.
     The keywords are the options of the command. format: if the file's name does not tell; scene_name: of a
     file that holds several; include_path: a folder, or several, with files that the scene includes and that are
     not beside it; profile: one of glint.profiles, or a file of `key = value` lines. max_memory: bytes that
@@ -96,7 +98,8 @@ def load(
     """
     if not paths:
         raise TypeError("load() needs the path of a scene")
-    texts = [(os.fspath(path), pathlib.Path(path).read_bytes(), format) for path in paths]
+    sources = [read_source(path, "file") for path in paths]
+    texts = [(name, content, format) for name, content, _ in sources]
     settings = dict(
         size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows, alpha=alpha, seed=seed
     )
@@ -108,7 +111,7 @@ def load(
         settings,
         convention,
         folders,
-        "any",
+        "any" if all(is_on_disk for *_, is_on_disk in sources) else "folder",
         max_memory,
         skip_unsupported,
         view,
