@@ -10,6 +10,7 @@
 docs/python.md is the guide.
 """
 
+from ._animate import animate
 from ._classes import complete_classes
 from ._colors import ColorScale
 from ._diagnosis import Diagnosis, ProposedPixel, diagnose, propose_pixels
@@ -56,6 +57,6 @@ __all__ = [
     "Attenuation", "BackgroundGradient", "Box", "Camera", "CameraFrame", "Color", "ColorLike", "ColorScale", "Comparison", "Cone", "Cylinder",
     "Diagnosis", "Diagnostic", "Disc", "Explanation", "Finding", "Fog", "GlintError", "GlintWarning", "Graded", "GradedPart", "Grades", "Hits",
     "Image", "Light", "Material", "Mesh", "Occlusion", "Plane", "Polygon", "ProposedPixel", "Record", "Scene", "Shape", "SmoothTriangle", "Sphere",
-    "Texture", "TraceLog", "Triangle", "Vec3", "VectorLike", "Versus", "check", "compare", "convert", "diagnose", "explain", "grade", "isa_names",
+    "Texture", "TraceLog", "Triangle", "Vec3", "VectorLike", "Versus", "animate", "check", "compare", "convert", "diagnose", "explain", "grade", "isa_names",
     "load", "loads", "profiles", "propose_pixels", "setting_infos", "show", "versus",
 ]

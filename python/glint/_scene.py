@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from . import _accept, _glint
 from ._expect import expect, plain
-from ._framing import frame_unset
+from ._framing import CountedImages, frame_unset
 from ._glint import BackgroundGradient, Camera, Fog, Light, Material, Occlusion, Shape, Texture
 from ._image import Image
 from ._lists import Lights, Materials, Shapes, Textures
@@ -314,8 +314,12 @@ class Scene(ManyShapes, ShownScene):
         """Pictures of one turn around the point that the camera looks at, one after the other, from where it is.
 
         frames: how many; options: those of render(). The camera is then where it was.
+        glint.animate(scene.turntable(60), 'turn.gif') is a film.
         """
         expect("frames", frames, int)
+        return CountedImages(self._turn(frames, options), frames)
+
+    def _turn(self, frames: int, options: Mapping[str, Any]) -> Iterator[Image]:
         frame_unset(self, options.get("size"))
         turned = self.copy()
         turned._framed = None
