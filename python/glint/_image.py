@@ -12,6 +12,7 @@ import numpy.typing as npt
 from . import _glint
 from ._expect import Closed, expect, plain
 from ._files import write_file
+from ._window import current_cell, show_picture
 from ._words import PictureFormat, Transfer
 
 FloatArray = npt.NDArray[np.float32]
@@ -176,7 +177,19 @@ class Image(Closed):
 
         return PIL.Image.open(io.BytesIO(self.to_bytes()))
 
-    def _repr_png_(self) -> bytes:
+    def show(self) -> None:
+        """Shows the picture: in a notebook below the cell, else by the system's program for PNG files or the browser, from a
+        temporary file. A GlintWarning has the file's name if there is no display, or no such program."""
+        self._cell = None
+        show_picture(self)
+        self._cell = current_cell()
+
+    # The cell of a notebook that has shown it, at whose end `scene.show()` shows it no second time.
+    _cell: Optional[int] = None
+
+    def _repr_png_(self) -> Optional[bytes]:
+        if self._cell is not None and self._cell == current_cell():
+            return None
         return self.to_bytes()
 
     def __eq__(self, other: object) -> bool:

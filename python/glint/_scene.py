@@ -19,7 +19,7 @@ from ._lists import Lights, Materials, Shapes, Textures
 from ._many import Arrays, ManyShapes
 from ._progress import Progress, reporting
 from ._settings import Settings, to_crop, to_list
-from ._shown import ShownScene
+from ._views import ShownScene
 from ._values import Color, ColorLike, Vec3
 from ._words import SceneFormat, Shading
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""How a scene is looked at: in notebooks."""
+"""How a scene is looked at."""
 
 from __future__ import annotations
 
@@ -11,7 +11,13 @@ from ._image import Image
 
 
 class ShownScene:
-    """Of a Scene: what notebooks show."""
+    """A part of Scene: what notebooks and windows show."""
+
+    def show(self: Any, **options: Any) -> Image:
+        """Renders the scene, shows the picture as Image.show() does, and returns it. options: those of render()."""
+        image: Image = self.render(**options)
+        image.show()
+        return image
 
     def _preview(self: Any) -> Image:
         """A picture of at most 320 pixels a side."""
