@@ -102,8 +102,8 @@ def test_notebooks_run(path, tmp_path):
     assert pictures, "a notebook ends in a picture"
 
 
-def test_there_are_five_notebooks():
-    assert len(NOTEBOOKS) == 5
+def test_there_are_eight_notebooks():
+    assert len(NOTEBOOKS) == 8
 
 
 def test_the_printed_line_is_the_one_that_is_tested():
