@@ -39,9 +39,8 @@ class _GifWriter:
         self._frames: List[Any] = []
 
     def add(self, image: Image, pixels: npt.NDArray[np.uint8]) -> None:
-        # Median cut, Pillow's default, turns small things of a color of their own brown or grey.
-        method = self._pil.Quantize.MAXCOVERAGE
-        self._frames.append(self._pil.fromarray(pixels).quantize(256, method=method, kmeans=1))
+        # 1: maximum coverage. Median cut, Pillow's default, turns small things of a color of their own brown or grey.
+        self._frames.append(self._pil.fromarray(pixels).quantize(256, method=1, kmeans=1))
 
     def finish(self) -> bytes:
         # A GIF counts in hundredths of a second: the frames' times are rounded, not their durations.
