@@ -271,8 +271,6 @@ class Scene(ManyShapes, ShownScene):
             )
         ) + to_list(convention or {})
         expect("aov", aov, Union[str, Sequence[str]])
-        if progress is not None and not callable(progress) and not isinstance(progress, bool):
-            raise TypeError(f"progress: expected True, False or a function, found {progress!r}")
         if aov == "all":
             aov = [info[0] for info in _glint.layer_infos()]
         elif isinstance(aov, str):
