@@ -42,6 +42,7 @@ from ._glint import (
 from ._glint import version as __version__
 from ._grading import Graded, GradedPart, Grades, grade
 from ._image import Image
+from ._live import LiveView
 from ._reports import Comparison, Explanation, Record
 from ._scene import Hits, Scene
 from ._settings import profiles, setting_infos
@@ -56,7 +57,7 @@ add_methods()
 __all__ = [
     "Attenuation", "BackgroundGradient", "Box", "Camera", "CameraFrame", "Color", "ColorLike", "ColorScale", "Comparison", "Cone", "Cylinder",
     "Diagnosis", "Diagnostic", "Disc", "Explanation", "Finding", "Fog", "GlintError", "GlintWarning", "Graded", "GradedPart", "Grades", "Hits",
-    "Image", "Light", "Material", "Mesh", "Occlusion", "Plane", "Polygon", "ProposedPixel", "Record", "Scene", "Shape", "SmoothTriangle", "Sphere",
+    "Image", "Light", "LiveView", "Material", "Mesh", "Occlusion", "Plane", "Polygon", "ProposedPixel", "Record", "Scene", "Shape", "SmoothTriangle", "Sphere",
     "Texture", "TraceLog", "Triangle", "Vec3", "VectorLike", "Versus", "animate", "check", "compare", "convert", "diagnose", "explain", "grade", "isa_names",
     "load", "loads", "profiles", "propose_pixels", "setting_infos", "show", "versus",
 ]

@@ -275,8 +275,8 @@ class Scene(ManyShapes, ShownScene):
             aov = [info[0] for info in _glint.layer_infos()]
         elif isinstance(aov, str):
             aov = aov.split(",")
-        frame_unset(self, size)
-        with reporting(progress) as report:
+        with self._rendering, reporting(progress) as report:
+            frame_unset(self, size)
             return Image._of(
                 self._state.render(settings, list(aov), to_crop(crop), threads, isa, report), list(aov)
             )

@@ -188,7 +188,8 @@ def explain(
     settings = dict(size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows, seed=seed)
     listed = to_list(settings) + to_list(convention or {})
     scene = to_scene(scene, size)
-    data, text = scene._state.explain(x, y, listed, sample, fold, None)
+    with scene._rendering:
+        data, text = scene._state.explain(x, y, listed, sample, fold, None)
     explanation = Explanation(json.loads(data), text)
     explanation._view = PixelView(scene, (x, y), {**settings, "convention": convention})
     explanation._sample = sample

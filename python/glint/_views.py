@@ -3,11 +3,14 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict
+import contextlib
+from typing import Any, ContextManager, Dict, Optional, Tuple
 
 from ._errors import GlintError
 from ._html_answers import scene_html
 from ._image import Image
+from ._live import LiveView, live
+from ._sliders import Sliders
 
 
 class ShownScene:
@@ -18,6 +21,25 @@ class ShownScene:
         image: Image = self.render(**options)
         image.show()
         return image
+
+    # Held while a picture is rendered. With a live view these are Turns, so that one picture is rendered after the other: two at
+    # once would each prepare the changed scene.
+    _rendering: ContextManager[Any] = contextlib.nullcontext()
+
+    def live(self, *, sliders: Optional[Sliders] = None, size: Optional[Tuple[int, int]] = None) -> LiveView:
+        """A view that can be moved: at the end of a notebook's cell below it, elsewhere in the browser.
+
+        Dragging and the arrow keys orbit the camera, the wheel moves it nearer and farther, and a click explains a pixel.
+        sliders: by label (object, attribute, lowest, highest), such as {"brightness": (light, "intensity", 0, 2)}; one of three
+        numbers is "position.x" or "color.r", a setting (scene.settings, "reflections", 0, 5), and a coefficient that is a factor of
+        its material's color (material, "diffuse", 0, 1). size: (width, height) in pixels, by default the scene's. Pictures are
+        rendered by this process, while the view moves without anti-aliasing; the browser must run on the same computer. The
+        scene's own camera moves, so that render() then gives the view that was found.
+        After changes from Python, view.refresh() has the page render again. A program that would end calls view.wait().
+        Without a display, a GlintWarning has the address.
+        GlintError if the scene cannot be rendered, OSError if the system gives no port.
+        """
+        return live(self, size, sliders)
 
     def _preview(self: Any) -> Image:
         """A picture of at most 320 pixels a side."""

@@ -23,6 +23,7 @@ def code_of_document() -> str:
 def test_code_of_the_document_runs(tmp_path, monkeypatch):
     (tmp_path / "scenes").symlink_to(ROOT / "scenes")
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("webbrowser.open", lambda address: True)
     exec(compile(code_of_document(), "docs/python.md", "exec"), {})
     assert (tmp_path / "ball.png").stat().st_size > 1000
 
