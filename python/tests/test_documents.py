@@ -103,8 +103,8 @@ def test_notebooks_run(path, tmp_path):
     assert pictures, "a notebook ends in a picture"
 
 
-def test_there_are_eight_notebooks():
-    assert len(NOTEBOOKS) == 8
+def test_there_are_nine_notebooks():
+    assert len(NOTEBOOKS) == 9
 
 
 def test_the_printed_line_is_the_one_that_is_tested():
