@@ -10,6 +10,7 @@
 docs/python.md is the guide.
 """
 
+from ._animate import animate
 from ._classes import complete_classes
 from ._colors import ColorScale
 from ._diagnosis import Diagnosis, ProposedPixel, diagnose, propose_pixels
@@ -39,8 +40,9 @@ from ._glint import (
     isa_names,
 )
 from ._glint import version as __version__
-from ._grading import Graded, GradedPart, grade
+from ._grading import Graded, GradedPart, Grades, grade
 from ._image import Image
+from ._live import LiveView
 from ._reports import Comparison, Explanation, Record
 from ._scene import Hits, Scene
 from ._settings import profiles, setting_infos
@@ -54,8 +56,8 @@ add_methods()
 
 __all__ = [
     "Attenuation", "BackgroundGradient", "Box", "Camera", "CameraFrame", "Color", "ColorLike", "ColorScale", "Comparison", "Cone", "Cylinder",
-    "Diagnosis", "Diagnostic", "Disc", "Explanation", "Finding", "Fog", "GlintError", "GlintWarning", "Graded", "GradedPart", "Hits",
-    "Image", "Light", "Material", "Mesh", "Occlusion", "Plane", "Polygon", "ProposedPixel", "Record", "Scene", "Shape", "SmoothTriangle", "Sphere",
-    "Texture", "TraceLog", "Triangle", "Vec3", "VectorLike", "Versus", "check", "compare", "convert", "diagnose", "explain", "grade", "isa_names",
+    "Diagnosis", "Diagnostic", "Disc", "Explanation", "Finding", "Fog", "GlintError", "GlintWarning", "Graded", "GradedPart", "Grades", "Hits",
+    "Image", "Light", "LiveView", "Material", "Mesh", "Occlusion", "Plane", "Polygon", "ProposedPixel", "Record", "Scene", "Shape", "SmoothTriangle", "Sphere",
+    "Texture", "TraceLog", "Triangle", "Vec3", "VectorLike", "Versus", "animate", "check", "compare", "convert", "diagnose", "explain", "grade", "isa_names",
     "load", "loads", "profiles", "propose_pixels", "setting_infos", "show", "versus",
 ]

@@ -6,6 +6,9 @@ from __future__ import annotations
 import os
 import stat
 import tempfile
+from typing import Any, Tuple
+
+from ._expect import shown
 
 
 def write_file(path: str, content: bytes) -> None:
@@ -40,3 +43,25 @@ def write_file(path: str, content: bytes) -> None:
         if isinstance(error, OSError):
             raise type(error)(error.errno, error.strerror, path) from None
         raise
+
+
+def read_source(source: Any, unnamed: str) -> Tuple[str, bytes, bool]:
+    """The name and the content of a file, by its path or an object with read(); and whether it is a file on a disk.
+
+    unnamed: the name of an object without one. A text is encoded as UTF-8.
+    """
+    read = getattr(source, "read", None)
+    if read is None:
+        if not isinstance(source, (str, os.PathLike)):
+            raise TypeError(f"paths: expected a path or an object with read(), found {shown(source)}")
+        name = os.fspath(source)
+        with open(name, "rb") as file:
+            return name, file.read(), True
+    content = read()
+    if isinstance(content, str):
+        content = content.encode()
+    if not isinstance(content, (bytes, bytearray, memoryview)):
+        raise TypeError(f"read() of a file object: expected bytes or a string, found {type(content).__name__}")
+    name = getattr(source, "name", None)
+    is_named = isinstance(name, str) and os.path.isfile(name)
+    return name if isinstance(name, str) and name else unnamed, bytes(content), is_named

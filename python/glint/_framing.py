@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, Iterator, Optional, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -14,6 +14,7 @@ from ._glint import Camera
 from ._values import Vec3, VectorLike
 
 if TYPE_CHECKING:
+    from ._image import Image
     from ._scene import Scene
 
 Direction = Union[str, VectorLike]
@@ -153,6 +154,25 @@ def orbit(self: Camera, right: float = 0.0, up: float = 0.0) -> Camera:
     height = np.clip(height + np.radians(up), -max(limit, abs(height)), max(limit, abs(height)))
     self.position = target + length * (np.cos(height) * level + np.sin(height) * axis)
     return self
+
+
+class CountedImages:
+    """Images that are made one after the other, and how many they are: for progress."""
+
+    def __init__(self, images: Iterator[Image], count: int) -> None:
+        self._images = images
+        self._left = max(0, count)
+
+    def __iter__(self) -> CountedImages:
+        return self
+
+    def __next__(self) -> Image:
+        image = next(self._images)
+        self._left -= 1
+        return image
+
+    def __length_hint__(self) -> int:
+        return self._left
 
 
 def frame_unset(scene: Scene, size: Any = None) -> None:

@@ -11,6 +11,7 @@ from typing import Any, Dict, List, Mapping, Optional, Tuple, Union
 
 from . import _glint
 from ._errors import GlintError
+from ._html_answers import gradings_html
 from ._image import Image, PathLike, to_image
 from ._progress import Progress, reporting
 from ._scene import Scene
@@ -52,6 +53,16 @@ class Graded:
         points = sum(part.points for part in self.parts)
         return max(0.0, points - sum(points for _, points in self.penalties))
 
+    def _repr_html_(self) -> str:
+        return gradings_html([self])
+
+
+class Grades(List[Graded]):
+    """What grade() returns: a list, which a notebook shows as a table."""
+
+    def _repr_html_(self) -> str:
+        return gradings_html(self)
+
 
 Submissions = Union[PathLike, Mapping[str, Any]]
 _ENDINGS = (".png", ".ppm", ".exr", ".jpg", ".jpeg")
@@ -68,7 +79,7 @@ def grade(
     reference: Any = None,
     rubric: Optional[PathLike] = None,
     progress: Progress = None,
-) -> List[Graded]:
+) -> Grades:
     """Points for pictures, and what is wrong with each.
 
     Without a rubric: submissions is a folder of pictures, or a mapping of names to pictures; each is compared
@@ -108,7 +119,7 @@ def grade(
             if wrong
             else []
         )
-    graded = []
+    graded = Grades()
     for name, image, points, error in rows:
         cause = next(found) if image is not None and points < 1 else None
         name_of_cause, explanation = cause[:2] if cause else (None, "")
@@ -130,7 +141,7 @@ def _open(picture: Any) -> Tuple[Optional[Image], str]:
 
 def _grade_by_rubric(
     submissions: Submissions, scene: Scene, rubric: PathLike, progress: Progress
-) -> List[Graded]:
+) -> Grades:
     folders: List[Tuple[str, Any, str]]
     if isinstance(submissions, Mapping):
         folders = [(name, files, "") for name, files in submissions.items()]
@@ -157,7 +168,7 @@ def _grade_by_rubric(
         rows, graded = _glint.grade_by_rubric(
             scene._state, os.fspath(rubric), pathlib.Path(rubric).read_bytes(), names, find, report
         )
-    return [
+    return Grades(
         Graded(
             name,
             tuple(
@@ -167,4 +178,4 @@ def _grade_by_rubric(
             penalties,
         )
         for name, (parts, penalties) in zip(names, graded)
-    ]
+    )

@@ -12,6 +12,7 @@ import numpy.typing as npt
 from . import _glint
 from ._expect import Closed, expect, plain
 from ._files import write_file
+from ._window import current_cell, show_picture
 from ._words import PictureFormat, Transfer
 
 FloatArray = npt.NDArray[np.float32]
@@ -153,7 +154,15 @@ class Image(Closed):
 
     @plain
     def to_uint8(self, *, transfer: Optional[Transfer] = None) -> npt.NDArray[np.uint8]:
-        """The bytes of a PNG without alpha, (height, width, 3), in an array of its own. transfer: as of to_bytes()."""
+        """The bytes of a PNG without alpha, (height, width, 3), in an array of its own. transfer: as of to_bytes().
+
+        A picture that was rendered with alpha=True is shown on black.
+        """
+        if "alpha" in self._rendering.layer_names():
+            colors = _glint.Rendering.decode(self.to_bytes(transfer=transfer), 0).array()
+            alpha = np.clip(self._rendering.layer("alpha"), 0, 1)
+            pixels: npt.NDArray[np.uint8] = np.rint(255 * colors * alpha).astype(np.uint8)
+            return pixels
         content = self._rendering.encode("ppm", 8, transfer)
         count = 3 * self.width * self.height
         return np.frombuffer(content, np.uint8, count, len(content) - count).reshape(self.height, self.width, 3).copy()
@@ -168,7 +177,19 @@ class Image(Closed):
 
         return PIL.Image.open(io.BytesIO(self.to_bytes()))
 
-    def _repr_png_(self) -> bytes:
+    def show(self) -> None:
+        """Shows the picture: in a notebook below the cell, else by the system's program for PNG files or the browser, from a
+        temporary file. A GlintWarning has the file's name if there is no display, or no such program."""
+        self._cell = None
+        show_picture(self)
+        self._cell = current_cell()
+
+    # The cell of a notebook that has shown it, at whose end `scene.show()` shows it no second time.
+    _cell: Optional[int] = None
+
+    def _repr_png_(self) -> Optional[bytes]:
+        if self._cell is not None and self._cell == current_cell():
+            return None
         return self.to_bytes()
 
     def __eq__(self, other: object) -> bool:

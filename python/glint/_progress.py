@@ -8,6 +8,8 @@ import time
 from types import TracebackType
 from typing import Any, Callable, Optional, Type, Union
 
+from ._expect import shown
+
 Progress = Union[None, bool, Callable[[float], object]]
 """None or False: nothing is shown. True: a bar. A function: it is called with the fraction done, 0 to 1."""
 
@@ -62,6 +64,8 @@ class reporting:
     """with reporting(progress) as report: the function to call with the fraction done, or None."""
 
     def __init__(self, progress: Progress) -> None:
+        if progress is not None and not callable(progress) and not isinstance(progress, bool):
+            raise TypeError(f"progress: expected True, False or a function, found {shown(progress)}")
         self._bar = _Bar() if progress is True else None
         self._report: Optional[Callable[[float], object]] = self._bar
         if callable(progress):

@@ -3,8 +3,11 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Iterator, List, Mapping
+from typing import Any, Dict, Iterator, List, Mapping, Optional, Tuple
 
+from ._html import Bytes
+from ._html_answers import comparison_html
+from ._html_pixel import PixelView, explanation_html
 from ._image import Image
 from ._values import Color, Vec3
 
@@ -62,13 +65,35 @@ class _Report(Record):
 
 
 class Explanation(_Report):
-    """Why a pixel has its color: `value`, `layers` and `rays` (docs/explain.md has all names), and `text`."""
+    """Why a pixel has its color: `value`, `layers` and `rays` (docs/explain.md has all names), and `text`.
+
+    A notebook shows the picture with the pixel marked, and the terms as bars. The picture is rendered then; if the
+    scene has been changed since, or the explanation comes from another process, there is none.
+    """
+
+    _view: Optional[PixelView] = None
+    _sample: Optional[int] = None
+
+    def _repr_html_(self) -> str:
+        pictures = self._view.draw(self.data["value"]) if self._view is not None and "value" in self.data else ""
+        return explanation_html(self.data, self.text, self._sample, pictures)
+
+    def __getstate__(self) -> Dict[str, Any]:
+        return {key: value for key, value in self.__dict__.items() if key != "_view"}
 
 
 class Comparison(_Report):
-    """How two pictures differ: `identical`, `mean`, `psnr`, `largest` ... (docs/compare.md), and `text`."""
+    """How two pictures differ: `identical`, `mean`, `psnr`, `largest` ... (docs/compare.md), and `text`.
+
+    A notebook shows both pictures and their difference, made smaller.
+    """
 
     difference: Image
+    """Of the pictures, by channel; the largest difference is 1."""
+    _shown: Tuple[Bytes, ...] = ()
+
+    def _repr_html_(self) -> str:
+        return comparison_html(self.data, self.text, self.causes, self._shown)
 
     @property
     def causes(self) -> List[Any]:

@@ -12,13 +12,14 @@ import numpy.typing as npt
 
 from . import _accept, _glint
 from ._expect import expect, plain
-from ._framing import frame_unset
+from ._framing import CountedImages, frame_unset
 from ._glint import BackgroundGradient, Camera, Fog, Light, Material, Occlusion, Shape, Texture
 from ._image import Image
 from ._lists import Lights, Materials, Shapes, Textures
 from ._many import Arrays, ManyShapes
 from ._progress import Progress, reporting
 from ._settings import Settings, to_crop, to_list
+from ._views import ShownScene
 from ._values import Color, ColorLike, Vec3
 from ._words import SceneFormat, Shading
 
@@ -47,7 +48,7 @@ class Hits:
         return len(self.t)
 
 
-class Scene(ManyShapes):
+class Scene(ManyShapes, ShownScene):
     """Shapes, materials, lights, a camera, conventions and settings.
 
     The next picture prepares only what has changed since the last one: a new light, material or camera takes
@@ -270,14 +271,12 @@ class Scene(ManyShapes):
             )
         ) + to_list(convention or {})
         expect("aov", aov, Union[str, Sequence[str]])
-        if progress is not None and not callable(progress) and not isinstance(progress, bool):
-            raise TypeError(f"progress: expected True, False or a function, found {progress!r}")
         if aov == "all":
             aov = [info[0] for info in _glint.layer_infos()]
         elif isinstance(aov, str):
             aov = aov.split(",")
-        frame_unset(self, size)
-        with reporting(progress) as report:
+        with self._rendering, reporting(progress) as report:
+            frame_unset(self, size)
             return Image._of(
                 self._state.render(settings, list(aov), to_crop(crop), threads, isa, report), list(aov)
             )
@@ -313,8 +312,12 @@ class Scene(ManyShapes):
         """Pictures of one turn around the point that the camera looks at, one after the other, from where it is.
 
         frames: how many; options: those of render(). The camera is then where it was.
+        glint.animate(scene.turntable(60), 'turn.gif') is a film.
         """
         expect("frames", frames, int)
+        return CountedImages(self._turn(frames, options), frames)
+
+    def _turn(self, frames: int, options: Mapping[str, Any]) -> Iterator[Image]:
         frame_unset(self, options.get("size"))
         turned = self.copy()
         turned._framed = None
@@ -359,12 +362,6 @@ class Scene(ManyShapes):
             )
         )
         return f"<glint.Scene {name + ': ' if name else ''}{contents}>"
-
-    def _repr_png_(self) -> bytes:
-        width, height = self.settings["size"]
-        factor = min(1.0, 320 / max(width, height))
-        size = max(1, round(factor * width)), max(1, round(factor * height))
-        return self.render(size=size).to_bytes()
 
 
 def _unpickled(text: str) -> Scene:

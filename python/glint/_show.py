@@ -23,7 +23,8 @@ def show(
 
     items: what Scene.add() takes: atoms of ASE, Open Babel or MDAnalysis, meshes of trimesh, pyvista or meshio, shapes;
     or one Scene, whose lights stay. direction, margin: as of Camera.fit(); size: (width, height) in pixels; options:
-    those of Scene.atoms() or Scene.mesh(), such as values= and colormap=. show(...).render().save('a.png') is a file.
+    those of Scene.atoms() or Scene.mesh(), such as values= and colormap=. show(...).render().save('a.png') is a file,
+    and show(...).show() a window.
     TypeError if an item is of another kind, ValueError if there is nothing to see.
     """
     if len(items) == 1 and isinstance(items[0], Scene) and not options:

@@ -7,12 +7,14 @@ import dataclasses
 import json
 import os
 import pathlib
-from typing import Any, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import IO, Any, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _glint
 from ._expect import expect, plain
-from ._files import write_file
+from ._files import read_source, write_file
 from ._framing import frame_unset
+from ._html import shrunk
+from ._html_pixel import PixelView
 from ._image import Image, PathLike, to_image
 from ._progress import Progress, reporting
 from ._reports import Comparison, Explanation
@@ -62,7 +64,7 @@ def _load(
 
 @plain
 def load(
-    *paths: PathLike,
+    *paths: Union[PathLike, IO[bytes], IO[str]],
     format: str = "",
     scene_name: str = "",
     include_path: Union[PathLike, Sequence[PathLike]] = (),
@@ -83,6 +85,8 @@ def load(
     """The scene of one file, or of several together: .cgfs, .json, .js, .pov, .nff, .dat, .ply, .stl, .obj,
     .gltf, .glb or .glint.
 
+    paths: names, or objects with read(), such as io.BytesIO(). An object that is no file on a disk includes only
+    files in the working folder, or in the folder of its name, and in include_path.
     The keywords are the options of the command. format: if the file's name does not tell; scene_name: of a
     file that holds several; include_path: a folder, or several, with files that the scene includes and that are
     not beside it; profile: one of glint.profiles, or a file of `key = value` lines. max_memory: bytes that
@@ -94,7 +98,8 @@ def load(
     """
     if not paths:
         raise TypeError("load() needs the path of a scene")
-    texts = [(os.fspath(path), pathlib.Path(path).read_bytes(), format) for path in paths]
+    sources = [read_source(path, "file") for path in paths]
+    texts = [(name, content, format) for name, content, _ in sources]
     settings = dict(
         size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows, alpha=alpha, seed=seed
     )
@@ -106,7 +111,7 @@ def load(
         settings,
         convention,
         folders,
-        "any",
+        "any" if all(is_on_disk for *_, is_on_disk in sources) else "folder",
         max_memory,
         skip_unsupported,
         view,
@@ -182,8 +187,13 @@ def explain(
         raise ValueError(f"fold must be 0 or more, not {fold}")
     settings = dict(size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows, seed=seed)
     listed = to_list(settings) + to_list(convention or {})
-    data, text = to_scene(scene, size)._state.explain(x, y, listed, sample, fold, None)
-    return Explanation(json.loads(data), text)
+    scene = to_scene(scene, size)
+    with scene._rendering:
+        data, text = scene._state.explain(x, y, listed, sample, fold, None)
+    explanation = Explanation(json.loads(data), text)
+    explanation._view = PixelView(scene, (x, y), {**settings, "convention": convention})
+    explanation._sample = sample
+    return explanation
 
 
 @dataclasses.dataclass(frozen=True)
@@ -244,6 +254,7 @@ def compare(
         )
     comparison = Comparison(json.loads(data), text)
     comparison.difference = Image._of(_glint.difference(first._rendering, second._rendering, 0.0))
+    comparison._shown = tuple(shrunk(image) for image in (first, second, comparison.difference))
     return comparison
 
 
@@ -259,6 +270,9 @@ class Versus:
 
     def __str__(self) -> str:
         return f"{self.comparison}\nA: {self.explanations[0]}\nB: {self.explanations[1]}"
+
+    def _repr_html_(self) -> str:
+        return "<hr>".join(part._repr_html_() for part in (self.comparison, *self.explanations))
 
 
 def versus(scene: SceneLike, a: Mapping[str, object] = {}, b: Mapping[str, object] = {}) -> Versus:

@@ -7,6 +7,7 @@ from typing import Literal
 
 Shading = Literal["phong", "blinn-phong", "diffuse", "color", "normals"]
 PictureFormat = Literal["png", "ppm", "tga", "bmp", "jpeg", "exr"]
+FilmFormat = Literal["gif", "apng", "mp4"]
 Transfer = Literal["none", "srgb"]
 SceneFormat = Literal["glb", "gltf", "glint"]
 LightKind = Literal["ambient", "point", "directional", "spot", "parallelogram", "disc", "sphere"]

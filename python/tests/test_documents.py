@@ -23,6 +23,7 @@ def code_of_document() -> str:
 def test_code_of_the_document_runs(tmp_path, monkeypatch):
     (tmp_path / "scenes").symlink_to(ROOT / "scenes")
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("webbrowser.open", lambda address: True)
     exec(compile(code_of_document(), "docs/python.md", "exec"), {})
     assert (tmp_path / "ball.png").stat().st_size > 1000
 
@@ -102,8 +103,8 @@ def test_notebooks_run(path, tmp_path):
     assert pictures, "a notebook ends in a picture"
 
 
-def test_there_are_five_notebooks():
-    assert len(NOTEBOOKS) == 5
+def test_there_are_nine_notebooks():
+    assert len(NOTEBOOKS) == 9
 
 
 def test_the_printed_line_is_the_one_that_is_tested():

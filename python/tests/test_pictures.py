@@ -20,6 +20,21 @@ def test_bytes_are_those_of_the_png(scene):
         image.to_uint8(transfer="gamma")
 
 
+def test_bytes_of_pictures_with_alpha(scene):
+    """They are those on a black background, but for the rounding of the edges' bytes."""
+    del scene.shapes["floor"]
+    scene.background = "white"
+    image = scene.render(alpha=True, aa=3)
+    array = image.to_uint8()
+    assert array.dtype == np.uint8 and array.shape == (48, 64, 3)
+    scene.background = "black"
+    assert np.abs(array.astype(int) - scene.render(aa=3).to_uint8()).max() <= 1
+    inside = image.layers["alpha"][..., 0] == 1
+    assert (image.to_uint8(transfer="srgb")[inside] == scene.render(aa=3).to_uint8(transfer="srgb")[inside]).all()
+    large = glint.compare(image, image)  # whose HTML shows the bytes
+    assert large._repr_html_().count("<img") == 3
+
+
 def test_pil(scene):
     pytest.importorskip("PIL")
     image = scene.render()

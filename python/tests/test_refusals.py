@@ -74,6 +74,8 @@ def test_classes_of_users_have_attributes_of_their_own():
         (lambda: glint.Scene().render(isa=3), "isa: expected a string, found 3"),
         (lambda: glint.Scene().render(aov=3), "aov: expected a string or a sequence of a string, found 3"),
         (lambda: glint.Scene().render(progress=3), "progress: expected True, False or a function, found 3"),
+        (lambda: glint.check(glint.Scene(), progress=3), "progress: expected True, False or a function, found 3"),
+        (lambda: glint.animate([], "a.png", progress="yes"), "progress: expected True, False or a function, found 'yes'"),
         (lambda: glint.Scene().cast((0, 0, 0), (0, 0, 1), t_min="a"), "t_min: expected a number, found 'a'"),
         (lambda: glint.explain(glint.Scene(), 1.5, 2), "x: expected a whole number, found 1.5"),
         (lambda: glint.loads("", 3), "format: expected a string, found 3"),
