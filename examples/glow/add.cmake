@@ -11,4 +11,4 @@ add_line(src/scene/material_fields.h before "    {\"brilliance\", \"brilliance\"
 add_line(src/trace/film/film-inl.h replace "    return material.color(k_ambient) * lanes_of(world.ambient);"
   "    const Vector3<Doubles> ambient = material.color(k_ambient) * lanes_of(world.ambient);
     if (!world.uses<&Material::glow>()) return ambient;
-    return ambient + ExtendedLanes(world, material).color<&Material::glow>();")
+    return ambient + ExtendedLanes(material).color<&Material::glow>();")
