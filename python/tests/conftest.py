@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 import pathlib
+import webbrowser
 
 import pytest
 
@@ -24,3 +25,20 @@ def scene() -> glint.Scene:
     scene.add(glint.Plane((0, -1, 0), (0, 1, 0), name="floor"))
     scene.add(glint.Light("point", position=(4, 5, 3), name="key"))
     return scene
+
+
+@pytest.fixture
+def opened(monkeypatch):
+    """The addresses that were opened, by a browser that does nothing."""
+    addresses = []
+    monkeypatch.setenv("DISPLAY", ":0")
+    monkeypatch.setattr(webbrowser, "open", lambda address: addresses.append(address) or True)
+    return addresses
+
+
+@pytest.fixture
+def view(scene, opened):
+    """A live view of the scene, with one slider."""
+    view = scene.live(sliders={"brightness": (scene.lights["key"], "intensity", 0, 2)})
+    yield view
+    view.close()

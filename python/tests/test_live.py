@@ -24,22 +24,6 @@ from glint import _live_engine
 from live_page import ask, picture
 
 
-@pytest.fixture
-def opened(monkeypatch):
-    """The addresses that were opened, by a browser that does nothing."""
-    addresses = []
-    monkeypatch.setenv("DISPLAY", ":0")
-    monkeypatch.setattr(webbrowser, "open", lambda address: addresses.append(address) or True)
-    return addresses
-
-
-@pytest.fixture
-def view(scene, opened):
-    view = scene.live(sliders={"brightness": (scene.lights["key"], "intensity", 0, 2)})
-    yield view
-    view.close()
-
-
 def test_pictures_are_those_of_render(view, scene, opened):
     assert opened == [view.url] and view.scene is scene
     scene.settings["aa"] = 3

@@ -2,27 +2,10 @@
 """Sliders of live views."""
 
 import json
-import webbrowser
 
 import pytest
 
 from live_page import ask, picture
-
-
-@pytest.fixture
-def opened(monkeypatch):
-    """The addresses that were opened, by a browser that does nothing."""
-    addresses = []
-    monkeypatch.setenv("DISPLAY", ":0")
-    monkeypatch.setattr(webbrowser, "open", lambda address: addresses.append(address) or True)
-    return addresses
-
-
-@pytest.fixture
-def view(scene, opened):
-    view = scene.live(sliders={"brightness": (scene.lights["key"], "intensity", 0, 2)})
-    yield view
-    view.close()
 
 
 def test_a_slider_changes_the_number(view, scene):
