@@ -36,7 +36,7 @@ HWY_INLINE Doubles compress(Doubles x, LaneMask<double> m) {
         {4, 5, 6, 7, 0, 1, 2, 3}, {0, 1, 4, 5, 6, 7, 2, 3}, {2, 3, 4, 5, 6, 7, 0, 1},
         {0, 1, 2, 3, 4, 5, 6, 7}};
     return in_order(x, k_order[to_bits(m)]);
-#elif HWY_TARGET == HWY_SSE4
+#elif HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_WASM
     return to_bits(m) == 2 ? Doubles(hn::Reverse(Tag<double>(), x.v)) : x;
 #else
     return Doubles(hn::Compress(x.v, m.m));

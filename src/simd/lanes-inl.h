@@ -18,12 +18,17 @@
 #include <type_traits>
 
 #include "math/number.h"
+#if HWY_TARGET == HWY_WASM
+#include "simd/wasm_vectors-inl.h"
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
+#if HWY_TARGET != HWY_WASM
 namespace hn = hwy::HWY_NAMESPACE;
+#endif
 
 template <class T> using Tag = hn::ScalableTag<T>;
 
@@ -90,8 +95,8 @@ template <class T> HWY_INLINE LaneMask<T> and_not(LaneMask<T> a, LaneMask<T> b) 
 }
 template <class T> HWY_INLINE Lanes<T> sqrt(Lanes<T> x) { return Lanes<T>(hn::Sqrt(x.v)); }
 template <class T> HWY_INLINE Lanes<T> abs(Lanes<T> x) { return Lanes<T>(hn::Abs(x.v)); }
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR
-// On x86 these are exactly minimum(a, b) = a < b ? a : b, maximum(a, b) = a > b ? a : b.
+#if (HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR) || HWY_TARGET == HWY_WASM
+// On x86 and in WebAssembly these are exactly minimum(a, b) = a < b ? a : b, maximum(a, b) = a > b ? a : b.
 template <class T> HWY_INLINE Lanes<T> min(Lanes<T> a, Lanes<T> b) { return Lanes<T>(hn::Min(a.v, b.v)); }
 template <class T> HWY_INLINE Lanes<T> max(Lanes<T> a, Lanes<T> b) { return Lanes<T>(hn::Max(b.v, a.v)); }
 #else

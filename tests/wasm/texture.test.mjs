@@ -6,22 +6,16 @@ import {readdirSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
 
+import {instanceOf, textAt} from './module.mjs';
+
 const folder = process.env.GLINT_TEXTURES;
 const known = new Map(readFileSync(join(folder, 'words'), 'utf8').trim().split('\n').map((line) => line.split(': ')));
-const module = new WebAssembly.Module(readFileSync(process.env.GLINT_TEXTURE_WORDS));
-const imports = {};
-for (const {module: from, name} of WebAssembly.Module.imports(module)) {
-    (imports[from] ??= {})[name] = () => { throw new Error(`${name} was called`); };
-}
-const {exports} = new WebAssembly.Instance(module, imports);
-exports._initialize();
+const exports = instanceOf(readFileSync(process.env.GLINT_TEXTURE_WORDS));
 
 function wordsOf(bytes) {
     const at = exports.texture_allocate(bytes.length);
     new Uint8Array(exports.memory.buffer).set(bytes, at);
-    const text = exports.texture_words(at, bytes.length);
-    const memory = new Uint8Array(exports.memory.buffer);
-    return new TextDecoder().decode(memory.subarray(text, memory.indexOf(0, text)));
+    return textAt(exports, exports.texture_words(at, bytes.length));
 }
 
 for (const name of readdirSync(folder).filter((file) => file !== 'words')) {
