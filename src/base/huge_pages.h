@@ -59,10 +59,12 @@ inline void prefault_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::
 #endif
 }
 
-/// Makes an empty vector n values long, in large pages if it is large enough.
-template <class T> void resize_in_huge_pages(std::vector<T>& values, std::size_t n) {
+/// Makes an empty vector n values long, in large pages if it is large enough, which the system
+/// fills on up to `threads` threads.
+template <class T> void resize_in_huge_pages(std::vector<T>& values, std::size_t n, int threads = 1) {
     values.reserve(n);
     advise_huge_pages(values.data(), n * sizeof(T));
+    prefault_pages(values.data(), n * sizeof(T), threads);
     values.resize(n);
 }
 

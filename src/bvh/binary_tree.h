@@ -36,9 +36,18 @@ struct BinaryNode {
 };
 using BinaryTree = std::vector<BinaryNode>;
 
-/// The first tree is the top; its links stand for the other trees. Empty if the build was cancelled.
-std::vector<BinaryTree> build_binary(std::span<BvhItem> items, std::span<const LeafCost> costs, int threads,
-                                     CancelFlag cancel);
+/// A part of the tree that was built on one thread. After condense(), `tree` has only the nodes that a cut
+/// above may split, and `nodes` all wide nodes below them; `first` of a node that is no leaf is then its wide
+/// node. The wide nodes' children are counted from the first of `nodes`.
+struct Subtree {
+    BinaryTree tree;
+    std::vector<BvhNode> nodes;
+};
+
+/// The first tree is the top; its links stand for the other trees, which are condensed. Empty if the build
+/// was cancelled.
+std::vector<Subtree> build_binary(std::span<BvhItem> items, std::span<const LeafCost> costs, int threads,
+                                  CancelFlag cancel);
 
 /// Chooses the optimal cut of the node's subtree from its children's costs. `area`: of the node's box.
 void choose_cut(BinaryNode& node, float area, const CutCosts& left, const CutCosts& right,
@@ -47,7 +56,10 @@ void choose_cut(BinaryNode& node, float area, const CutCosts& left, const CutCos
 void choose_cut(BinaryNode& node, float area, std::uint32_t item_class, std::span<const LeafCost> costs,
                 CutCosts& result);
 
+/// Replaces most binary nodes of a finished subtree by wide nodes, which take a tenth of their memory.
+void condense(Subtree& subtree);
+
 /// The wide nodes that result from the cuts.
-std::vector<BvhNode> make_wide(const std::vector<BinaryTree>& trees, int threads);
+std::vector<BvhNode> make_wide(const std::vector<Subtree>& subtrees, int threads);
 
 }  // namespace glint

@@ -7,10 +7,10 @@ namespace glint {
 Bvh build_bvh(std::vector<BvhItem>& items, std::span<const LeafCost> costs, int threads, CancelFlag cancel) {
     Bvh bvh;
     if (items.empty()) return bvh;
-    const std::vector<BinaryTree> trees = build_binary(items, costs, threads, cancel);
-    if (trees.empty()) return bvh;
-    bvh.bounds = trees[0][0].box;
-    bvh.nodes = make_wide(trees, threads);
+    const std::vector<Subtree> subtrees = build_binary(items, costs, threads, cancel);
+    if (subtrees.empty()) return bvh;
+    bvh.bounds = subtrees[0].tree[0].box;
+    bvh.nodes = make_wide(subtrees, threads);
     return bvh;
 }
 

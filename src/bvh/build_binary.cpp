@@ -33,23 +33,24 @@ class Builder {
     Builder(std::span<BvhItem> items, std::span<const LeafCost> costs, int threads, CancelFlag cancel)
         : items_(items), costs_(costs), threads_(threads), cancel_(cancel) {}
 
-    std::vector<BinaryTree> run() {
+    std::vector<Subtree> run() {
         const ItemRange whole = whole_range();
         area_scale_ = area_scale(whole.box);
         task_items_ = std::max(k_min_task, whole.count / k_tasks);
         build_top(whole);
-        trees_.resize(1 + tasks_.size());
+        subtrees_.resize(1 + tasks_.size());
         cuts_.resize(tasks_.size());
         parallel_for(tasks_.size(), threads_, [&](std::size_t i) {
             if (is_cancelled()) return;
-            BinaryTree& tree = trees_[1 + i];
-            tree.reserve(tasks_[i].range.count);
-            tree.emplace_back();
-            build(tree, 0, tasks_[i].range, tasks_[i].depth, cuts_[i]);
+            Subtree& subtree = subtrees_[1 + i];
+            subtree.tree.reserve(2 * std::size_t{tasks_[i].range.count});
+            subtree.tree.emplace_back();
+            build(subtree.tree, 0, tasks_[i].range, tasks_[i].depth, cuts_[i]);
+            condense(subtree);
         });
         if (is_cancelled()) return {};
         cut_top();
-        return std::move(trees_);
+        return std::move(subtrees_);
     }
 
   private:
@@ -202,8 +203,8 @@ class Builder {
 
     // Builds the top tree without its cut, and the tasks. Children come after their parents.
     void build_top(const ItemRange& whole) {
-        trees_.resize(1);
-        BinaryTree& top = trees_[0];
+        subtrees_.resize(1);
+        BinaryTree& top = subtrees_[0].tree;
         top.emplace_back();
         std::vector<std::pair<std::uint32_t, Task>> open{{0, {whole, 0}}};
         while (!open.empty() && !is_cancelled()) {
@@ -224,7 +225,7 @@ class Builder {
     }
 
     void cut_top() {
-        BinaryTree& top = trees_[0];
+        BinaryTree& top = subtrees_[0].tree;
         std::vector<CutCosts> cuts(top.size());
         for (std::size_t i = top.size(); i-- > 0;) {
             BinaryNode& n = top[i];
@@ -246,15 +247,15 @@ class Builder {
     std::atomic<bool> is_cancelled_{false};
     float area_scale_ = 1;
     std::uint32_t task_items_ = 0;
-    std::vector<BinaryTree> trees_;
+    std::vector<Subtree> subtrees_;
     std::vector<Task> tasks_;
     std::vector<CutCosts> cuts_;  // one per task
 };
 
 }  // namespace
 
-std::vector<BinaryTree> build_binary(std::span<BvhItem> items, std::span<const LeafCost> costs, int threads,
-                                     CancelFlag cancel) {
+std::vector<Subtree> build_binary(std::span<BvhItem> items, std::span<const LeafCost> costs, int threads,
+                                  CancelFlag cancel) {
     return Builder(items, costs, threads, cancel).run();
 }
 

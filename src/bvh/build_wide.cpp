@@ -5,7 +5,7 @@
 
 #include "base/huge_pages.h"
 #include "base/parallel_for.h"
-#include "bvh/binary_tree.h"
+#include "bvh/cuts.h"
 
 namespace glint {
 namespace {
@@ -25,36 +25,24 @@ float leaf_cost(const LeafCost& c, std::uint32_t count) {
     return c.leaf + c.block * static_cast<float>(blocks) + c.item * static_cast<float>(count);
 }
 
-struct Reference {
-    std::uint32_t tree, node;
-};
-
-// Writes wide nodes, depth first. Without a destination it only counts them.
+// Writes the wide nodes of the top tree, depth first. Without a destination it only counts them.
 class Writer {
   public:
-    Writer(const std::vector<BinaryTree>& trees, BvhNode* to, std::uint32_t next)
-        : trees_(trees), to_(to), next_(next) {}
+    Writer(const Cuts& cuts, BvhNode* to) : cuts_(cuts), to_(to) {}
 
-    // Wide nodes of other trees are written by other calls; see links().
+    // Those of condensed trees are copied by other calls; see links().
     std::uint32_t write(Reference root) {
         const std::uint32_t index = next_++;
-        std::array<Reference, k_bvh_width> children;
-        int count = 0;
-        const BinaryNode& node = at(root);
-        if (node.is_leaf) {
-            children[count++] = root;  // the top root is always a node
-        } else {
-            split(root, node.roots, children, count);
-        }
-        if (to_ != nullptr) fill(to_[index], children, count);
-        for (int c = 0; c < count; ++c) {
-            const BinaryNode& n = at(children[c]);
+        const Children children = cuts_.children(root);
+        if (to_ != nullptr) to_[index] = cuts_.wide_node(children);
+        for (int c = 0; c < children.count; ++c) {
+            const BinaryNode& n = cuts_.at(children.at[c]);
             BvhChild child = BvhChild::leaf(n.first, n.count);
             if (!n.is_leaf) {
-                if (children[c].tree == root.tree) {
-                    child = BvhChild::node(write(children[c]));
+                if (children.at[c].tree == 0) {
+                    child = BvhChild::node(write(children.at[c]));
                 } else {
-                    links_.push_back({children[c], index, c});
+                    links_.push_back({children.at[c].tree, n.first, index, c});
                 }
             }
             if (to_ != nullptr) to_[index].child[c] = child;
@@ -64,46 +52,34 @@ class Writer {
     std::uint32_t next() const { return next_; }
 
     struct Link {
-        Reference root;
+        std::uint32_t tree, wide;  // a wide node of a condensed tree
         std::uint32_t parent;
         int child;
     };
     const std::vector<Link>& links() const { return links_; }
 
   private:
-    const BinaryNode& at(Reference r) const { return trees_[r.tree][r.node]; }
-
-    void split(Reference r, int roots, std::array<Reference, k_bvh_width>& children, int& count) const {
-        const BinaryNode& n = at(r);
-        const int left = static_cast<int>(n.left_roots_of(roots));
-        gather({r.tree, n.left}, left, children, count);
-        gather({r.tree, n.left + 1}, roots - left, children, count);
-    }
-    void gather(Reference r, int roots, std::array<Reference, k_bvh_width>& children, int& count) const {
-        if (at(r).is_link) r = {at(r).left, 0};
-        if (roots < at(r).least_split) {
-            children[count++] = r;
-        } else {
-            split(r, roots, children, count);
-        }
-    }
-
-    void fill(BvhNode& node, const std::array<Reference, k_bvh_width>& children, int count) const {
-        for (int c = 0; c < k_bvh_width; ++c) {
-            const Aabb box = c < count ? at(children[c]).box : Aabb{};
-            for (int a = 0; a < 3; ++a) {
-                node.lo[a][c] = box.lo[a];
-                node.hi[a][c] = box.hi[a];
-            }
-            node.child[c] = BvhChild::none();
-        }
-    }
-
-    const std::vector<BinaryTree>& trees_;
+    const Cuts& cuts_;
     BvhNode* to_;
-    std::uint32_t next_;
+    std::uint32_t next_ = 0;
     std::vector<Link> links_;
 };
+
+// Copies a wide node and all below it, depth first, to to[next] and the following ones; returns its index.
+// Without a destination it only counts them.
+std::uint32_t copy_nodes(const std::vector<BvhNode>& from, std::uint32_t node, BvhNode* to,
+                         std::uint32_t& next) {
+    const std::uint32_t index = next++;
+    if (to != nullptr) to[index] = from[node];
+    for (int c = 0; c < k_bvh_width; ++c) {
+        const BvhChild child = from[node].child[c];
+        if (child.is_none()) break;
+        if (child.is_leaf()) continue;
+        const std::uint32_t copied = copy_nodes(from, child.index(), to, next);
+        if (to != nullptr) to[index].child[c] = BvhChild::node(copied);
+    }
+    return index;
+}
 
 // Larger than any number of roots: the subtree always becomes one root.
 constexpr std::uint8_t k_never_split = k_bvh_width + 1;
@@ -159,16 +135,18 @@ void choose_cut(BinaryNode& node, float area, const CutCosts& left, const CutCos
     node.roots = static_cast<std::uint8_t>(roots);
 }
 
-std::vector<BvhNode> make_wide(const std::vector<BinaryTree>& trees, int threads) {
-    const Reference root{trees[0][0].is_link ? trees[0][0].left : 0, 0};
-    Writer top(trees, nullptr, 0);
-    top.write(root);
-    const auto& links = top.links();
+std::vector<BvhNode> make_wide(const std::vector<Subtree>& subtrees, int threads) {
+    const Cuts cuts(subtrees);
+    const BinaryNode& top_root = cuts.at({0, 0});
+    const Reference root{top_root.is_link ? top_root.left : 0, 0};
+    const bool is_copied = root.tree != 0 && !cuts.at(root).is_leaf;
+    Writer top(cuts, nullptr);
+    if (!is_copied) top.write(root);
+    std::vector<Writer::Link> links = top.links();
+    if (is_copied) links.push_back({root.tree, cuts.at(root).first, 0, -1});
     std::vector<std::uint32_t> start(links.size() + 1);
     parallel_for(links.size(), threads, [&](std::size_t i) {
-        Writer counter(trees, nullptr, 0);
-        counter.write(links[i].root);
-        start[i] = counter.next();
+        copy_nodes(subtrees[links[i].tree].nodes, links[i].wide, nullptr, start[i]);
     });
     std::uint32_t next = top.next();
     for (std::uint32_t& s : start) {
@@ -177,11 +155,13 @@ std::vector<BvhNode> make_wide(const std::vector<BinaryTree>& trees, int threads
         next += count;
     }
     std::vector<BvhNode> nodes;
-    resize_in_huge_pages(nodes, next);
-    Writer(trees, nodes.data(), 0).write(root);
+    resize_in_huge_pages(nodes, next, threads);
+    if (!is_copied) Writer(cuts, nodes.data()).write(root);
     parallel_for(links.size(), threads, [&](std::size_t i) {
-        Writer(trees, nodes.data(), start[i]).write(links[i].root);
-        nodes[links[i].parent].child[links[i].child] = BvhChild::node(start[i]);
+        const Writer::Link& link = links[i];
+        if (link.child >= 0) nodes[link.parent].child[link.child] = BvhChild::node(start[i]);
+        std::uint32_t at = start[i];
+        copy_nodes(subtrees[link.tree].nodes, link.wide, nodes.data(), at);
     });
     return nodes;
 }

@@ -59,7 +59,7 @@ class ShapeEditor {
         geometry.set_meshes(meshes_);
         std::vector<std::uint32_t>& rows = parts.slot_material.own();
         prepare_colors(parts);
-        const bool many = changed_.size() + primitives_.list().size() > geometry.count / k_many;
+        const bool many = changed_.size() + primitives_.size() > geometry.count / k_many;
         many ? write_many(geometry, rows) : write_few(geometry, rows);
         edit = ShapeEdit::refitted;
         const double built = geometry.edit_index->built_cost.expected();
@@ -84,7 +84,7 @@ class ShapeEditor {
         if (scene_.get<Polygon>().empty()) return;
         first_triangle_.reserve(changed_.size());
         for (const std::uint32_t shape : changed_) {
-            first_triangle_.push_back(static_cast<std::uint32_t>(primitives_.list().size()));
+            first_triangle_.push_back(static_cast<std::uint32_t>(primitives_.size()));
             if (scene_.shapes[shape].kind == ShapeKind::polygon) primitives_.add(shape);
         }
     }
@@ -107,14 +107,14 @@ class ShapeEditor {
         const ShapeKind kind = scene_.shapes[changed_[i]].kind;
         if (kind == ShapeKind::cone && !world_.parts().conventions.cones) return 0;
         if (kind != ShapeKind::polygon) return 1;
-        const std::size_t end = i + 1 < changed_.size() ? first_triangle_[i + 1] : primitives_.list().size();
+        const std::size_t end = i + 1 < changed_.size() ? first_triangle_[i + 1] : primitives_.size();
         return end - first_triangle_[i];
     }
 
     // first_triangle: used for polygons only.
     Primitive primitive(std::uint32_t shape, std::uint32_t first_triangle, std::size_t element) const {
         if (scene_.shapes[shape].kind != ShapeKind::polygon) return {shape, k_none, 0};
-        return primitives_.list()[first_triangle + element];
+        return primitives_[first_triangle + element];
     }
     // Primitive `element` of changed shape i.
     Primitive changed_primitive(std::size_t i, std::size_t element) const {
@@ -144,8 +144,8 @@ class ShapeEditor {
 
     void write(const Primitive& p, std::uint32_t slot, PackedGeometry& geometry,
                std::vector<std::uint32_t>& rows) const {
-        const Aabb box = slot < geometry.boxed ? primitives_.box_of(p) : Aabb{};
-        write_primitive(primitives_, p, box, slot, geometry.class_of(slot), geometry);
+        write_primitive(primitives_, p, slot, geometry.class_of(slot), geometry);
+        if (slot < geometry.boxed) write_box(primitives_.box_of(p), slot, geometry);
         rows[slot] = row_of(p.shape);
         if (colors_ == nullptr) return;
         const ShapeColor color =

@@ -141,6 +141,9 @@ TEST(Bvh, KeepsItsInvariants) {
             check(random_input(random, count, classes));
         }
     }
+    Input large = random_input(random, 600000, 2);
+    for (int i = 1; i < 8; ++i) large.add({1e3 * i, 0, 0}, {1, 1, 1});  // subtrees of one item
+    check(large);
 }
 
 TEST(Bvh, EqualBoxes) {
@@ -188,15 +191,19 @@ TEST(Bvh, HugeAndTinyCoordinates) {
 
 TEST(Bvh, TheSameForAnyNumberOfThreads) {
     Random random(53);
-    const Input input = random_input(random, 60000, 3);
-    const Built one(input);
-    for (const int threads : {2, 7}) {
-        const Built other(input, threads);
-        EXPECT_EQ(std::memcmp(one.items.data(), other.items.data(), one.items.size() * sizeof(BvhItem)), 0);
-        ASSERT_EQ(one.bvh.nodes.size(), other.bvh.nodes.size());
-        EXPECT_EQ(
-            std::memcmp(one.bvh.nodes.data(), other.bvh.nodes.data(), one.bvh.nodes.size() * sizeof(BvhNode)),
-            0);
+    const Input small = random_input(random, 60000, 3);
+    const Input large = random_input(random, 600000, 3);  // split in chunks
+    for (const Input* input : {&small, &large}) {
+        const Built one(*input);
+        for (const int threads : {2, 7}) {
+            const Built other(*input, threads);
+            EXPECT_EQ(std::memcmp(one.items.data(), other.items.data(), one.items.size() * sizeof(BvhItem)),
+                      0);
+            ASSERT_EQ(one.bvh.nodes.size(), other.bvh.nodes.size());
+            EXPECT_EQ(std::memcmp(one.bvh.nodes.data(), other.bvh.nodes.data(),
+                                  one.bvh.nodes.size() * sizeof(BvhNode)),
+                      0);
+        }
     }
 }
 

@@ -125,7 +125,7 @@ std::vector<float> find_slot_colors(std::span<const ShapeColor> colors, const Pa
     if (!geometry.has_mesh_colors &&
         std::none_of(colors.begin(), colors.end(), [](const ShapeColor& c) { return c.is_set(); }))
         return columns;
-    resize_in_huge_pages(columns, 3 * (std::size_t{geometry.count} + k_ray_padding));
+    resize_in_huge_pages(columns, 3 * (std::size_t{geometry.count} + k_ray_padding), threads);
     parallel_chunks(geometry.count, threads, [&](std::size_t slot) {
         const std::uint32_t shape = geometry.shape_index[slot];
         const ShapeColor color = shape < colors.size() ? colors[shape] : ShapeColor{};

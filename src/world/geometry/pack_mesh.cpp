@@ -30,7 +30,7 @@ std::shared_ptr<const PackedMesh> pack_mesh(const std::shared_ptr<const MeshData
     const auto count = static_cast<std::uint32_t>(mesh.triangles.size());
     const auto for_all = [&](const auto& body) { parallel_chunks(count, options.threads, body); };
     std::vector<BvhItem> leaves;
-    resize_in_huge_pages(leaves, count);
+    resize_in_huge_pages(leaves, count, options.threads);
     for_all([&](std::size_t i) {
         Vec3 lo, hi;
         Triangles::bounds(HWY_NAMESPACE::mesh_triangle(mesh, static_cast<std::uint32_t>(i)), lo, hi);
@@ -51,7 +51,7 @@ std::shared_ptr<const PackedMesh> pack_mesh(const std::shared_ptr<const MeshData
     triangles.count = count;
     triangles.mesh = data.get();
     triangles.stride = count + k_ray_padding;
-    resize_in_huge_pages(triangles.corners, 3 * std::size_t{triangles.stride});
+    resize_in_huge_pages(triangles.corners, 3 * std::size_t{triangles.stride}, options.threads);
     resize_in_huge_pages(geometry.element, triangles.stride);
     for_all([&](std::size_t slot) {
         const std::uint32_t i = leaves[slot].item;

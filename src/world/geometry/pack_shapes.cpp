@@ -37,25 +37,25 @@ class Packer {
         if (!goes_on(0.75)) return std::nullopt;
         lay_out_classes();
         lay_out_slots();
-        for_all(leaves_.size(), [&](std::size_t i) {
-            prefetch(i);
-            write(leaves_[i].item, slot_[i], &leaves_[i]);
-        });
-        for_all(unbounded_.size(), [&](std::size_t i) {
-            write(unbounded_[i], geometry_.bounded + static_cast<std::uint32_t>(i), nullptr);
-        });
+        for_all(leaves_.size(), [&](std::size_t i) { place(leaves_[i], slot_[i]); });
+        for_all(unbounded_.size(), [&](std::size_t i) { primitive_[geometry_.bounded + i] = unbounded_[i]; });
         // The items of a leaf are of one class and consecutive in leaf order, so their slots are consecutive.
         for_all(geometry_.bvh.nodes.size(), [&](std::size_t i) {
             for (BvhChild& child : geometry_.bvh.nodes[i].child) {
                 if (child.is_leaf()) child = BvhChild::leaf(slot_[child.first()], child.count());
             }
         });
+        // Before the memory of the values is needed.
+        std::vector<BvhItem>().swap(leaves_);
+        std::vector<std::uint32_t>().swap(slot_);
+        allocate_values();
+        for_all(geometry_.count, [&](std::size_t slot) { write(static_cast<std::uint32_t>(slot)); });
         geometry_.shared_index = std::make_shared<SharedEditIndex>();
         return std::move(geometry_);
     }
 
   private:
-    const Primitive& at(std::uint32_t i) const { return primitives_.list()[i]; }
+    Primitive at(std::uint32_t i) const { return primitives_[i]; }
     std::size_t class_of(std::uint32_t i) const {
         return static_cast<std::size_t>(primitives_.class_of(at(i)));
     }
@@ -71,7 +71,7 @@ class Packer {
 
     void find_boxes() {
         const AllClassTraits& traits = class_traits();
-        const auto count = static_cast<std::uint32_t>(primitives_.list().size());
+        const auto count = static_cast<std::uint32_t>(primitives_.size());
         std::uint32_t bounded = 0;
         for (std::uint32_t i = 0; i < count; ++i) {
             if (traits[class_of(i)].bounded) {
@@ -80,7 +80,7 @@ class Packer {
                 unbounded_.push_back(i);
             }
         }
-        resize_in_huge_pages(leaves_, bounded);
+        resize_in_huge_pages(leaves_, bounded, options_.threads);
         std::uint32_t next = 0, skipped = 0;
         for (std::uint32_t i = 0; i < count; ++i) {
             if (skipped < unbounded_.size() && unbounded_[skipped] == i) {
@@ -100,8 +100,7 @@ class Packer {
     // Bounded classes first: those that store their boxes, then the others. Empty classes are omitted.
     void lay_out_classes() {
         std::array<std::uint32_t, k_primitive_classes> count{};
-        for (const Primitive& p : primitives_.list())
-            ++count[static_cast<std::size_t>(primitives_.class_of(p))];
+        for (std::uint32_t i = 0; i < primitives_.size(); ++i) ++count[class_of(i)];
         for (int rank = 0; rank < 3; ++rank) {
             for (std::size_t c = 0; c < count.size(); ++c) {
                 const ClassTraits& traits = class_traits()[c];
@@ -112,10 +111,7 @@ class Packer {
                 packed.first = geometry_.count;
                 packed.count = count[c];
                 packed.stride = count[c] + k_ray_padding;
-                resize_in_huge_pages(packed.values, static_cast<std::size_t>(packed.stride) *
-                                                        static_cast<std::size_t>(traits.values));
                 next_slot_[c] = geometry_.count;
-                class_index_[c] = geometry_.classes.size();
                 geometry_.classes.push_back(std::move(packed));
                 geometry_.count += count[c];
             }
@@ -126,37 +122,47 @@ class Packer {
 
     // Within a class: bounded items in leaf order, the others in scene order.
     void lay_out_slots() {
-        resize_in_huge_pages(slot_, leaves_.size());
+        resize_in_huge_pages(primitive_, geometry_.count, options_.threads);
+        resize_in_huge_pages(slot_, leaves_.size(), options_.threads);
         for (std::size_t i = 0; i < leaves_.size(); ++i) slot_[i] = next_slot_[leaves_[i].item_class]++;
         std::stable_sort(unbounded_.begin(), unbounded_.end(),
                          [&](std::uint32_t a, std::uint32_t b) { return class_of(a) < class_of(b); });
         const std::size_t padded = geometry_.count + k_ray_padding;
         for (int a = 0; a < 3; ++a) {
-            resize_in_huge_pages(geometry_.box_lo[a], geometry_.boxed + k_ray_padding);
-            resize_in_huge_pages(geometry_.box_hi[a], geometry_.boxed + k_ray_padding);
+            resize_in_huge_pages(geometry_.box_lo[a], geometry_.boxed + k_ray_padding, options_.threads);
+            resize_in_huge_pages(geometry_.box_hi[a], geometry_.boxed + k_ray_padding, options_.threads);
         }
         resize_in_huge_pages(geometry_.shape_index, padded);
         if (has_elements_) resize_in_huge_pages(geometry_.element, padded);
         resize_in_huge_pages(geometry_.open, padded);
     }
 
-    // Prefetches the data of the next leaves in steps; see Primitives::prefetch_shape().
-    void prefetch(std::size_t i) const {
-        const auto item = [&](std::size_t ahead) {
-            return leaves_[std::min(i + ahead, leaves_.size() - 1)].item;
-        };
-        __builtin_prefetch(&at(item(3 * Primitives::k_prefetch_distance)));
-        primitives_.prefetch_shape(at(item(2 * Primitives::k_prefetch_distance)).shape);
-        primitives_.prefetch_parameters(at(item(Primitives::k_prefetch_distance)).shape);
+    void place(const BvhItem& leaf, std::uint32_t slot) {
+        primitive_[slot] = leaf.item;
+        if (slot < geometry_.boxed)
+            write_box({{leaf.lo[0], leaf.lo[1], leaf.lo[2]}, {leaf.hi[0], leaf.hi[1], leaf.hi[2]}}, slot,
+                      geometry_);
     }
 
-    // box: of a bounded primitive.
-    void write(std::uint32_t i, std::uint32_t slot, const BvhItem* box) {
-        Aabb bounds;
-        if (box != nullptr)
-            for (int a = 0; a < 3; ++a) bounds.lo[a] = box->lo[a], bounds.hi[a] = box->hi[a];
-        write_primitive(primitives_, at(i), bounds, slot, geometry_.classes[class_index_[class_of(i)]],
-                        geometry_);
+    void allocate_values() {
+        for (ShapeClass& shapes : geometry_.classes) {
+            const ClassTraits& traits = class_traits()[class_of(primitive_[shapes.first])];
+            resize_in_huge_pages(shapes.values,
+                                 std::size_t{shapes.stride} * static_cast<std::size_t>(traits.values),
+                                 options_.threads);
+        }
+    }
+
+    void write(std::uint32_t slot) {
+        // Prefetches the data of the next slots in steps; see Primitives::prefetch_shape().
+        const auto ahead = [&](std::size_t steps) {
+            return primitive_[std::min(slot + steps * Primitives::k_prefetch_distance,
+                                       primitive_.size() - 1)];
+        };
+        primitives_.prefetch(ahead(3));
+        primitives_.prefetch_shape(at(ahead(2)).shape);
+        primitives_.prefetch_parameters(at(ahead(1)).shape);
+        write_primitive(primitives_, at(primitive_[slot]), slot, geometry_.class_of(slot), geometry_);
     }
 
     const PrepareOptions& options_;
@@ -165,9 +171,9 @@ class Packer {
     bool has_elements_ = false;
     std::vector<BvhItem> leaves_;      // the bounded primitives, in leaf order when the hierarchy is built
     std::vector<std::uint32_t> slot_;  // by position in leaf order
+    std::vector<std::uint32_t> primitive_;  // by slot
     std::vector<std::uint32_t> unbounded_;  // the unbounded primitives, by class
     std::array<std::uint32_t, k_primitive_classes> next_slot_{};
-    std::array<std::size_t, k_primitive_classes> class_index_{};
 };
 
 }  // namespace
@@ -181,8 +187,8 @@ std::optional<PackedGeometry> pack_shapes(const Scene& scene, bool cones, const 
     return Packer(scene, cones, meshes, part_of(options, of_meshes, 1)).run();
 }
 
-void write_primitive(const Primitives& primitives, const Primitive& primitive, const Aabb& box,
-                     std::uint32_t slot, ShapeClass& shapes, PackedGeometry& geometry) {
+void write_primitive(const Primitives& primitives, const Primitive& primitive, std::uint32_t slot,
+                     ShapeClass& shapes, PackedGeometry& geometry) {
     std::array<double, Primitives::k_max_values> values;
     const int n = primitives.pack(primitive, values.data());
     double* to = shapes.values.data() + (slot - shapes.first);
@@ -191,7 +197,9 @@ void write_primitive(const Primitives& primitives, const Primitive& primitive, c
     geometry.shape_index[slot] = primitive.shape;
     if (geometry.has_elements()) geometry.element[slot] = primitive.element;
     geometry.open[slot] = primitives.is_open(primitive) ? 1 : 0;
-    if (slot >= geometry.boxed) return;
+}
+
+void write_box(const Aabb& box, std::uint32_t slot, PackedGeometry& geometry) {
     for (int a = 0; a < 3; ++a) {
         geometry.box_lo[a][slot] = box.lo[a];
         geometry.box_hi[a][slot] = box.hi[a];
@@ -201,7 +209,7 @@ void write_primitive(const Primitives& primitives, const Primitive& primitive, c
 std::vector<std::uint32_t> find_slot_materials(const Scene& scene, const PackedGeometry& geometry,
                                                std::size_t materials, int threads) {
     std::vector<std::uint32_t> rows;
-    resize_in_huge_pages(rows, geometry.count + k_ray_padding);
+    resize_in_huge_pages(rows, geometry.count + k_ray_padding, threads);
     parallel_chunks(geometry.count, threads, [&](std::size_t slot) {
         const std::uint32_t material = scene.shapes[geometry.shape_index[slot]].material;
         rows[slot] = material == k_none ? static_cast<std::uint32_t>(materials) : material;

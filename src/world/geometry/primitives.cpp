@@ -87,6 +87,8 @@ void Primitives::add(std::uint32_t index) {
 }
 
 void Primitives::add_all(bool cones) {
+    one_per_shape_ = scene_.get<Polygon>().empty() && (cones || scene_.get<Cone>().empty());
+    if (one_per_shape_) return;
     list_.reserve(scene_.shapes.size());
     for (std::uint32_t i = 0; i < scene_.shapes.size(); ++i) {
         if (cones || scene_.shapes[i].kind != ShapeKind::cone) add(i);

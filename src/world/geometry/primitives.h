@@ -46,8 +46,10 @@ class Primitives {
     /// Appends those of all shapes; cones: whether to include cones.
     void add_all(bool cones);
 
-    std::vector<Primitive>& list() { return list_; }
-    const std::vector<Primitive>& list() const { return list_; }
+    std::size_t size() const { return one_per_shape_ ? scene_.shapes.size() : list_.size(); }
+    Primitive operator[](std::size_t i) const {
+        return one_per_shape_ ? Primitive{static_cast<std::uint32_t>(i), k_none, 0} : list_[i];
+    }
 
     int class_of(const Primitive& primitive) const;
     /// The padded box of a bounded primitive.
@@ -55,6 +57,9 @@ class Primitives {
     /// Whether the primitive's shape encloses no space.
     bool is_open(const Primitive& primitive) const;
 
+    void prefetch(std::uint32_t i) const {
+        if (!one_per_shape_) __builtin_prefetch(&list_[i]);
+    }
     /// Prefetches what pack() and the others will read of a shape: first the shape, then its parameters. The
     /// order of packing differs from the scene's, and without prefetching, most of the time would be spent
     /// waiting for memory.
@@ -78,6 +83,7 @@ class Primitives {
 
     const Scene& scene_;
     const PackedMeshes& meshes_;
+    bool one_per_shape_ = false;  // add_all() found that primitive i is shape i: no list is needed
     std::vector<Primitive> list_;
     std::vector<Triangle> triangles_;
 };
