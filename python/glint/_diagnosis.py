@@ -76,8 +76,9 @@ def diagnose(
         name, text = os.fspath(log), pathlib.Path(log).read_bytes()
     settings = dict(size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows, seed=seed)
     listed = to_list(settings) + to_list(convention or {})
-    with reporting(progress) as report:
-        found = to_scene(scene, size)._state.diagnose(name, text, listed, max_rows, threads, report)
+    scene = to_scene(scene, size)
+    with scene._rendering, reporting(progress) as report:
+        found = scene._state.diagnose(name, text, listed, max_rows, threads, report)
     diagnosis = Diagnosis(json.loads(found.json()), found.text())
     diagnosis._diagnosed = found
     return diagnosis
@@ -117,5 +118,7 @@ def propose_pixels(
         size=image.size, aa=aa, shading=shading, reflections=reflections, shadows=shadows, seed=seed
     )
     listed = to_list(settings) + to_list(convention or {})
-    proposed = to_scene(scene)._state.propose_pixels(image._rendering, listed, threads)
+    scene = to_scene(scene)
+    with scene._rendering:
+        proposed = scene._state.propose_pixels(image._rendering, listed, threads)
     return [ProposedPixel((x, y), kind, difference) for x, y, kind, difference in proposed]

@@ -289,7 +289,8 @@ class Scene(ManyShapes, ShownScene):
 
         A hit is at origin + t direction with t_min < t < t_max; directions have any length but 0.
         """
-        return Hits(*self._state.cast_rays(origins, directions, t_min, t_max, None))
+        with self._rendering:
+            return Hits(*self._state.cast_rays(origins, directions, t_min, t_max, None))
 
     def to_glint(self) -> str:
         """The scene in glint's own language (docs/formats/glint.md): load() makes the same picture of it.

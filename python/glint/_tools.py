@@ -214,8 +214,9 @@ class Finding:
 
 def check(scene: SceneLike, *, progress: Progress = None) -> List[Finding]:
     """The scene's likely mistakes: what can be rendered, and is hardly what was meant."""
-    with reporting(progress) as report:
-        found = to_scene(scene)._state.check(report)
+    scene = to_scene(scene)
+    with scene._rendering, reporting(progress) as report:
+        found = scene._state.check(report)
     return [Finding(id, d.message, remedy, d, text) for id, d, remedy, text in found]
 
 

@@ -146,8 +146,22 @@ def test_renders_of_the_view_and_of_the_user_take_turns(view, scene):
     for thread in threads:
         thread.join()
     assert shown == [scene.render().to_uint8().tobytes()] * 6
+
+
+@pytest.mark.parametrize(
+    "work",
+    [
+        lambda scene: scene.render(),
+        lambda scene: scene.cast((0, 0, 5), (0, 0, -1)),
+        lambda scene: glint.check(scene),
+        lambda scene: glint.explain(scene, 1, 1),
+        lambda scene: glint.propose_pixels(scene, np.zeros((48, 64, 3))),
+    ],
+    ids=["render", "cast", "check", "explain", "propose_pixels"],
+)
+def test_what_prepares_the_scene_waits_for_its_turn(view, scene, work):
     with scene._rendering:
-        waiting = threading.Thread(target=scene.render)
+        waiting = threading.Thread(target=work, args=(scene,))
         waiting.start()
         waiting.join(0.2)
         assert waiting.is_alive()
