@@ -111,7 +111,7 @@ def _check(cls: Any, name: str, value: Any) -> None:
     hint = _TYPES.get(name)
     if hint is not None and not (hint is bool and isinstance(value, (int, np.bool_))):
         expect(name, value, hint)
-    if name == "normals" and cls is _glint.SmoothTriangle:
+    if name == "normals" and cls in (_glint.SmoothTriangle, _glint.Mesh):
         check_normals(value)
 
 

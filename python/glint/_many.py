@@ -26,6 +26,17 @@ def rows_of(array: Any) -> Optional[int]:
         return None
 
 
+def _check_ends(from_: Any, to: Any) -> None:
+    """Refuses cylinders without an axis; the extension module refuses what are no points at all."""
+    try:
+        starts, ends = np.asarray(from_, float), np.asarray(to, float)
+        equal = np.flatnonzero((starts == ends).all(axis=-1)) if starts.shape == ends.shape else np.zeros(0)
+    except (TypeError, ValueError):
+        return
+    if equal.size and starts.ndim == 2:
+        raise ValueError(f"to: row {equal[0]}: expected another point than that of from_, found {tuple(ends[equal[0]].tolist())}")
+
+
 class ManyShapes(Closed):
     """A part of Scene."""
 
@@ -78,6 +89,7 @@ class ManyShapes(Closed):
         caps: bool = True,
     ) -> range:
         """Adds N cylinders between points (N, 3) and (N, 3). caps: their ends are closed. See spheres()."""
+        _check_ends(from_, to)
         given = colors_of(colors, values, colormap, vmin, vmax, norm, nan_color, rows_of(from_))
         return self._state.add_cylinders(from_, to, radii, given, material, caps)
 

@@ -100,10 +100,17 @@ def test_normals_without_a_direction_are_refused_at_once():
     for call in (
         lambda: glint.SmoothTriangle(TRIANGLE, np.zeros((3, 3))),
         lambda: glint.Scene().triangles(TRIANGLE, [(0, 1, 2)], normals=np.zeros((3, 3))),
+        lambda: glint.Scene().add_mesh(TRIANGLE, [(0, 1, 2)], normals=np.zeros((3, 3))),
+        lambda: glint.Mesh(TRIANGLE, [(0, 1, 2)], np.zeros((3, 3))),
         set_attribute(lambda: glint.SmoothTriangle(TRIANGLE, [(0, 0, 1)] * 3), "normals", np.zeros((3, 3))),
     ):
         with pytest.raises(ValueError, match=r"normals: row 0: expected a normal of any length but 0"):
             call()
+
+
+def test_cylinders_without_an_axis_are_refused_at_once():
+    with pytest.raises(ValueError, match=r"to: row 1: expected another point than that of from_, found \(0.0, 1.0, 0.0\)"):
+        glint.Scene().cylinders(np.eye(3), [(2, 0, 0), (0, 1, 0), (0, 0, 3)])
 
 
 def test_a_crop_as_the_command_has_it(scene):
