@@ -216,6 +216,8 @@ class Image(Closed):
 def _to_array(picture: Any) -> FloatArray:
     if not isinstance(picture, np.ndarray) and hasattr(picture, "convert") and hasattr(picture, "mode"):
         picture = picture.convert("RGB")  # PIL's
+    if isinstance(picture, (str, os.PathLike)):
+        raise TypeError(f"Image() takes an array; glint.Image.open({os.fspath(picture)!r}) reads a file")
     array = np.asarray(picture)
     if array.dtype.kind in "ui":
         array = array.astype(np.float32) / np.float32(np.iinfo(array.dtype).max)

@@ -7,6 +7,8 @@ import operator
 import re
 from typing import Any, Dict, Iterator, List, Mapping, MutableMapping, NamedTuple, Optional, Tuple, Union
 
+import numpy as np
+
 from . import _glint
 
 Setting = Union[bool, int, float, str, Tuple[int, int]]
@@ -28,12 +30,12 @@ setting_infos: Dict[str, SettingInfo] = {key[0]: SettingInfo(*key) for key in _g
 
 def to_text(value: object) -> str:
     """As the command line has it: True -> 'true', (640, 480) -> '640x480'."""
-    if isinstance(value, bool):
+    if isinstance(value, (bool, np.bool_)):
         return "true" if value else "false"
-    if isinstance(value, (tuple, list)) and len(value) == 2:
+    if isinstance(value, (tuple, list, np.ndarray)) and len(value) == 2:
         return f"{value[0]}x{value[1]}"
     if isinstance(value, float):
-        return repr(value)
+        return repr(float(value))  # NumPy 2 shows its own as np.float64(1.0)
     return str(value)
 
 

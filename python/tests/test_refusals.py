@@ -113,6 +113,17 @@ def test_cylinders_without_an_axis_are_refused_at_once():
         glint.Scene().cylinders(np.eye(3), [(2, 0, 0), (0, 1, 0), (0, 0, 3)])
 
 
+def test_settings_of_numpy(scene):
+    wanted = scene.render(size=(20, 10), shadows=False, convention={"gamma": 2.5})
+    numbers = dict(size=np.array([20, 10]), shadows=np.False_, convention={"gamma": np.float64(2.5)})
+    assert scene.render(**numbers) == wanted and wanted.size == (20, 10)
+
+
+def test_pictures_are_not_names_of_files():
+    with pytest.raises(TypeError, match=r"Image\(\) takes an array; glint.Image.open\('a.png'\) reads a file"):
+        glint.Image("a.png")
+
+
 def test_a_crop_as_the_command_has_it(scene):
     assert scene.render(crop="20x10+3+4") == scene.render(crop=(20, 10, 3, 4))
 
