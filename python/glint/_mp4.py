@@ -15,9 +15,9 @@ import numpy.typing as npt
 from ._errors import GlintError
 from ._image import Image
 
-# H.264 that browsers and slides play: even sides (a line of black is added to odd ones), and HDTV's colors, which are named.
+# H.264 that browsers and slides play: even sides (the last line of odd ones is repeated), and HDTV's colors, which are named.
 _OPTIONS = (
-    "-an -vf pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv -c:v libx264 -crf 18 -pix_fmt yuv420p "
+    "-an -vf scale=out_color_matrix=bt709:out_range=tv -c:v libx264 -crf 18 -pix_fmt yuv420p "
     "-colorspace bt709 -color_primaries bt709 -color_trc bt709 -movflags +faststart -f mp4"
 ).split()
 
@@ -54,7 +54,10 @@ class Mp4Writer:
         return GlintError(f"ffmpeg ended with status {status}: {lines[-1] if lines else 'it says nothing'}", "io")
 
     def add(self, image: Image, pixels: npt.NDArray[np.uint8]) -> None:
-        process = self._process or self._start(*image.size)
+        width, height = image.size
+        process = self._process or self._start(width + width % 2, height + height % 2)
+        if width % 2 or height % 2:
+            pixels = np.pad(pixels, ((0, height % 2), (0, width % 2), (0, 0)), mode="edge")
         assert process.stdin is not None
         try:
             process.stdin.write(pixels.tobytes())

@@ -3,7 +3,9 @@
 
 import io
 import os
+import shutil
 import struct
+import subprocess
 import sys
 
 import numpy as np
@@ -169,6 +171,20 @@ def test_mp4_by_ffmpeg(frames, tmp_path, monkeypatch):
     file = io.BytesIO()
     glint.animate(frames, file, format="mp4")
     assert file.getvalue().endswith(pixels)
+
+
+if shutil.which("ffmpeg"):  # which is none of the packages that the tests need
+
+    def test_mp4_of_ffmpeg_itself(scene, tmp_path):
+        """Of odd sides, the last lines are repeated."""
+        pictures = [scene.render(size=(65, 49), shadows=on).to_uint8() for on in (True, False)]
+        glint.animate(pictures, tmp_path / "film.mp4", fps=12)
+        arguments = ["-v", "error", "-i", tmp_path / "film.mp4", "-f", "rawvideo", "-pix_fmt", "rgb24", "-"]
+        decoded = subprocess.run(["ffmpeg", *arguments], check=True, stdout=subprocess.PIPE).stdout
+        shown = np.frombuffer(decoded, np.uint8).reshape(2, 50, 66, 3)
+        wanted = np.pad(pictures, ((0, 0), (0, 1), (0, 1), (0, 0)), mode="edge")
+        assert np.abs(shown - wanted.astype(float)).mean() < 3
+        assert np.abs(shown - wanted[::-1].astype(float)).mean() > 3
 
 
 @pytest.mark.parametrize("limit", [-1, 10])
