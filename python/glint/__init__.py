@@ -47,6 +47,7 @@ from ._reports import Comparison, Explanation, Record
 from ._scene import Hits, Scene
 from ._settings import profiles, setting_infos
 from ._show import show
+from ._surface import Surface, surface
 from ._tools import Finding, Versus, check, compare, convert, explain, load, loads, versus
 from ._trace_log import TraceLog
 from ._values import Attenuation, Color, ColorLike, Vec3, VectorLike
@@ -58,6 +59,6 @@ __all__ = [
     "Attenuation", "BackgroundGradient", "Box", "Camera", "CameraFrame", "Color", "ColorLike", "ColorScale", "Comparison", "Cone", "Cylinder",
     "Diagnosis", "Diagnostic", "Disc", "Explanation", "Finding", "Fog", "GlintError", "GlintWarning", "Graded", "GradedPart", "Grades", "Hits",
     "Image", "Light", "LiveView", "Material", "Mesh", "Occlusion", "Plane", "Polygon", "ProposedPixel", "Record", "Scene", "Shape", "SmoothTriangle", "Sphere",
-    "Texture", "TraceLog", "Triangle", "Vec3", "VectorLike", "Versus", "animate", "check", "compare", "convert", "diagnose", "explain", "grade", "isa_names",
-    "load", "loads", "profiles", "propose_pixels", "setting_infos", "show", "versus",
+    "Surface", "Texture", "TraceLog", "Triangle", "Vec3", "VectorLike", "Versus", "animate", "check", "compare", "convert", "diagnose", "explain", "grade", "isa_names",
+    "load", "loads", "profiles", "propose_pixels", "setting_infos", "show", "surface", "versus",
 ]

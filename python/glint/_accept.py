@@ -4,12 +4,12 @@ and meshio. None of these packages is imported for that."""
 
 from __future__ import annotations
 
-from typing import Any, List, NamedTuple, Optional, Tuple
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
 
-from ._elements import looks_of, numbers_of
+from ._elements import looks_of, numbers_of, numbers_of_symbols
 
 Array = npt.NDArray[Any]
 
@@ -22,11 +22,19 @@ def _list_of_atoms(item: Any) -> Any:
 
 
 def _is_group(item: Any) -> bool:
-    """MDAnalysis: a Universe or an AtomGroup."""
-    return hasattr(getattr(item, "atoms", None), "positions")
+    """MDAnalysis: a Universe or an AtomGroup; not one Atom of ASE, which knows the Atoms that it is of."""
+    atoms = getattr(item, "atoms", None)
+    return hasattr(atoms, "positions") and not hasattr(atoms, "get_positions")
+
+
+def _is_pair(item: Any) -> bool:
+    """(symbols, positions)."""
+    return isinstance(item, tuple) and len(item) == 2 and hasattr(item[0], "__len__") and np.shape(item[1])[1:] == (3,)
 
 
 def is_atoms(item: Any) -> bool:
+    if _is_pair(item):
+        return True
     if hasattr(item, "get_positions") and hasattr(item, "get_atomic_numbers"):
         return True
     if hasattr(item, "NumAtoms") and hasattr(item, "GetAtom"):
@@ -38,13 +46,19 @@ def is_atoms(item: Any) -> bool:
 
 def atom_arrays(item: Any) -> Tuple[Array, Array, Array]:
     """Positions, covalent radii (both in angstrom) and Jmol's colors."""
-    if hasattr(item, "get_positions"):
+    if _is_pair(item):
+        if len(item[0]) != len(item[1]):
+            raise ValueError(f"atoms: expected a symbol for each position, found {len(item[0])} and {len(item[1])}")
+        positions, numbers = item[1], numbers_of_symbols(item[0])
+    elif hasattr(item, "get_positions"):
         positions, numbers = item.get_positions(), item.get_atomic_numbers()
     elif _is_group(item):
         positions = item.atoms.positions
-        words = [getattr(item.atoms, name, None) for name in ("elements", "types", "names")]
+        symbols, *words = (getattr(item.atoms, name, None) for name in ("elements", "types", "names"))
         known = [of_atoms for of_atoms in words if of_atoms is not None]
         numbers = numbers_of(known[0]) if known else [0] * len(positions)
+        if symbols is not None:  # 'Cd' is no carbon then
+            numbers = [of_symbol or number for of_symbol, number in zip(numbers_of_symbols(symbols), numbers)]
     else:
         atoms = _list_of_atoms(item)
         if hasattr(item, "NumAtoms"):
@@ -52,7 +66,10 @@ def atom_arrays(item: Any) -> Tuple[Array, Array, Array]:
             numbers = [a.GetAtomicNum() for a in atoms]
         else:
             positions, numbers = [a.coords for a in atoms], [a.atomicnum for a in atoms]
-    return np.asarray(positions, float).reshape(-1, 3), *looks_of(numbers)
+    places = np.asarray(positions, float).reshape(-1, 3)
+    if len(places) > 1 and (places == places[0]).all():
+        raise ValueError(f"atoms: all {len(places)} are at {tuple(places[0].tolist())}; Open Babel's make3D() gives them places")
+    return places, *looks_of(numbers)
 
 
 def find_bonds(positions: Array, radii: Array, tolerance: float = 0.3) -> Array:
@@ -92,10 +109,17 @@ class MeshArrays(NamedTuple):
     colors: Optional[Array]
     """(V, 3) or (N, 3), or None."""
     values: Optional[Array]
-    """(V,), or None."""
+    """(V,) or (N,), or None."""
+
+
+def _is_trimesh_scene(item: Any) -> bool:
+    """What trimesh.load() returns of many files."""
+    return hasattr(item, "geometry") and hasattr(item, "dump")
 
 
 def is_mesh(item: Any) -> bool:
+    if _is_trimesh_scene(item):
+        return True
     if hasattr(item, "vertices") and hasattr(item, "faces"):
         return True
     return hasattr(item, "points") and any(hasattr(item, name) for name in ("faces", "cells", "extract_surface"))
@@ -141,8 +165,34 @@ def _triangles(mesh: Any) -> Array:
             corners = {"triangle6": 3, "triangle7": 3, "quad8": 4, "quad9": 4}.get(str(block.type))
             blocks.append(triangle_faces([face[:corners] for face in block.data] if corners else block.data))
     if len(blocks) == 1:
-        raise ValueError("the mesh has no triangles, quadrangles or polygons")
+        blocks = _boundary(mesh.cells)
+    if not blocks:
+        raise ValueError("the mesh has no triangles, quadrangles, polygons or cells with a volume")
     return np.concatenate(blocks)
+
+
+# The faces of cells with a volume, counter-clockwise from outside, as VTK and meshio number their corners.
+_FACES_OF_CELLS: Dict[str, List[Tuple[int, ...]]] = {
+    "tetra": [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)],
+    "pyramid": [(0, 3, 2, 1), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)],
+    "wedge": [(0, 1, 2), (3, 5, 4), (0, 3, 4, 1), (1, 4, 5, 2), (2, 5, 3, 0)],
+    "hexahedron": [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)],
+}
+
+
+def _boundary(cells: Any) -> List[Array]:
+    """Triangles of the faces that one cell alone has."""
+    found: Dict[int, List[Array]] = {}
+    for block in cells:
+        kind = str(block.type).rstrip("0123456789")  # tetra10: the first four are the corners
+        for corners in _FACES_OF_CELLS.get(kind, []):
+            found.setdefault(len(corners), []).append(np.asarray(block.data, np.int64)[:, list(corners)])
+    outside = []
+    for parts in found.values():
+        faces = np.concatenate(parts)
+        _, first, counts = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
+        outside.append(triangle_faces(faces[np.sort(first[counts == 1])]))
+    return outside
 
 
 def _normals(mesh: Any, vertices: Array, triangles: Array) -> Optional[Array]:
@@ -162,6 +212,8 @@ def _normals(mesh: Any, vertices: Array, triangles: Array) -> Optional[Array]:
 
 def mesh_arrays(mesh: Any) -> MeshArrays:
     """A mesh of trimesh, pyvista or meshio, or of any class with the same attributes."""
+    if _is_trimesh_scene(mesh):
+        mesh = mesh.to_mesh() if hasattr(mesh, "to_mesh") else mesh.dump(concatenate=True)
     if not hasattr(mesh, "vertices") and not hasattr(mesh, "faces") and hasattr(mesh, "extract_surface"):
         mesh = mesh.extract_surface()
     points = mesh.vertices if hasattr(mesh, "vertices") else mesh.points
@@ -177,5 +229,6 @@ def mesh_arrays(mesh: Any) -> MeshArrays:
         if visual.kind == "face" and len(colors) != len(triangles):
             colors = None  # faces with more corners than three
     scalars = getattr(mesh, "active_scalars", None)
-    values = None if scalars is None or np.shape(scalars) != (len(vertices),) else np.asarray(scalars, float)
+    is_known = scalars is not None and np.shape(scalars) in ((len(vertices),), (len(triangles),))
+    values = np.asarray(scalars, float) if is_known else None
     return MeshArrays(vertices, triangles, _normals(mesh, vertices, triangles), colors, values)

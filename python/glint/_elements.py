@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Radii and colors of the elements that molecules usually have, where ASE's tables of all are not installed."""
+"""Radii and colors of the elements: of those that molecules usually have, from here; of others, from ASE if it is installed."""
 
 from __future__ import annotations
 
@@ -32,15 +32,29 @@ def numbers_of(words: Any) -> List[int]:
     return found
 
 
+def numbers_of_symbols(symbols: Any) -> List[int]:
+    """Atomic numbers of symbols or of numbers; 0 if a symbol is not known."""
+    try:
+        from ase.data import atomic_numbers  # type: ignore[import]
+    except ImportError:
+        atomic_numbers = {symbol: number for number, (symbol, _, _) in _ELEMENTS.items()}
+    return [
+        atomic_numbers.get(one.strip().capitalize(), 0) if isinstance(one, str) else int(one) for one in symbols
+    ]
+
+
 def looks_of(numbers: Any) -> Tuple[npt.NDArray[Any], npt.NDArray[Any]]:
     """Covalent radii in angstrom, (N,), and colors, (N, 3)."""
     numbers = np.asarray(numbers, dtype=int)
-    try:
-        from ase.data import covalent_radii  # type: ignore[import]
-        from ase.data.colors import jmol_colors  # type: ignore[import]
-
-        return covalent_radii[numbers], jmol_colors[numbers]
-    except ImportError:
-        rows = [_ELEMENTS.get(int(number), _OTHER) for number in numbers]
-        colors = [[int(digits[i:i + 2], 16) / 255 for i in (0, 2, 4)] for _, _, digits in rows]
-        return np.array([radius for _, radius, _ in rows]), np.array(colors).reshape(-1, 3)
+    rows = [_ELEMENTS.get(int(number), _OTHER) for number in numbers]
+    radii = np.array([radius for _, radius, _ in rows])
+    colors = np.array([[int(digits[i:i + 2], 16) / 255 for i in (0, 2, 4)] for _, _, digits in rows]).reshape(-1, 3)
+    others = np.array([int(number) not in _ELEMENTS for number in numbers], bool)
+    if others.any():
+        try:
+            from ase.data import covalent_radii
+            from ase.data.colors import jmol_colors  # type: ignore[import]
+        except ImportError:
+            return radii, colors
+        radii[others], colors[others] = covalent_radii[numbers[others]], jmol_colors[numbers[others]]
+    return radii, colors

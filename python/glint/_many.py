@@ -12,6 +12,7 @@ from ._classes import check_normals
 from ._colors import Colormap, ColorScale, Norm, colors_of
 from ._expect import Closed, plain, shown
 from ._glint import Material, Mesh
+from ._surface import Surface
 from ._values import ColorLike
 
 Arrays = Any
@@ -174,11 +175,12 @@ class ManyShapes(Closed):
         material: Optional[Material] = None,
         smooth: bool = True,
     ) -> range:
-        """Adds a mesh of trimesh, pyvista or meshio, or any object with `vertices` and `faces` of three or more corners.
+        """Adds a glint.surface(), a mesh of trimesh, pyvista or meshio, or any object with `vertices` and `faces` of three
+        or more corners.
 
         colors: one, (N, 3) of triangles, or (V, 3) of vertices, which are interpolated; by default those of trimesh's
         `visual`. values: (N,) or (V,), as for spheres(); by default pyvista's `active_scalars`. Where there are as many
-        triangles as vertices, they are of the triangles. smooth: by the mesh's normals of vertices, if it has them.
+        triangles as vertices, they are of the triangles. Of a surface(), both are of its grid. smooth: by the mesh's normals of vertices, if it has them.
         Returns the range of the shapes' numbers: triangles, or one Mesh if there are colors of vertices.
         """
         if not _accept.is_mesh(mesh):
@@ -187,9 +189,13 @@ class ManyShapes(Closed):
         normals = found.normals if smooth else None
         if colors is None and values is None:
             colors, values = found.colors, found.values if found.colors is None else None
+        if isinstance(mesh, Surface):
+            values = None if values is None else np.ravel(values)
+            colors = np.reshape(colors, (-1, 3)) if np.ndim(colors) == 3 else colors
         each = colors if values is None else values
         count = rows_of(each) if each is not None and not isinstance(each, str) else None
-        is_of_vertices = count == len(found.vertices) and count != len(found.triangles) and np.ndim(each) > 0
+        is_of_vertices = count == len(found.vertices) and np.ndim(each) > 0
+        is_of_vertices = is_of_vertices and (isinstance(mesh, Surface) or count != len(found.triangles))
         if is_of_vertices and (values is not None or colormap is not None or np.ndim(each) == 2 or isinstance(each[0], str)):
             given = colors_of(colors, values, colormap, vmin, vmax, norm, nan_color, count)
             self.add_mesh(found.vertices, found.triangles, normals=normals, colors=given, material=material)
@@ -219,13 +225,14 @@ class ManyShapes(Closed):
         bond_color: ColorLike = (0.6, 0.6, 0.6),
         material: Optional[Material] = None,
     ) -> range:
-        """Adds the atoms of ASE, Open Babel or MDAnalysis: a sphere of `scale` times the covalent radius for each, in Jmol's colors.
+        """Adds the atoms of ASE, Open Babel or MDAnalysis, or (symbols, positions), such as ("OHH", array): a sphere
+        of `scale` times the covalent radius for each, in Jmol's colors.
 
         bonds: cylinders between atoms that are near enough, or pairs (M, 2) of indices, or False. Lengths are
-        in angstrom. Without ASE, radii and colors of rare elements are 1.2 and pink. Returns the range of the atoms' numbers.
+        in angstrom. Symbols may be atomic numbers, and positions are (N, 3). Without ASE, radii and colors of rare elements are 1.2 and pink. Returns the range of the atoms' numbers.
         """
         if not _accept.is_atoms(atoms):
-            raise TypeError(f"atoms: expected atoms of ASE, Open Babel or MDAnalysis, found {shown(atoms)}")
+            raise TypeError(f"atoms: expected atoms of ASE, Open Babel or MDAnalysis, or (symbols, positions), found {shown(atoms)}")
         positions, radii, colors = _accept.atom_arrays(atoms)
         added = self.spheres(positions, scale * radii, colors, material=material)
         if bonds is not False:

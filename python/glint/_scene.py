@@ -207,9 +207,11 @@ class Scene(ManyShapes, ShownScene):
     def add(self, item: Any, **options: Any) -> Any:
         """Adds a shape, a light, a material, a texture or a camera, and returns it: later changes of it are seen.
 
-        Of other packages, atoms of ASE, Open Babel and MDAnalysis (see atoms()) and meshes of trimesh, pyvista and
-        meshio (see mesh()); these return the range of their shapes' numbers.
+        Also (symbols, positions) and atoms of ASE, Open Babel and MDAnalysis (see atoms()), a surface(), and meshes of
+        trimesh, pyvista and meshio (see mesh()); these return the range of their shapes' numbers.
         """
+        if options and isinstance(item, (Light, Material, Texture, Shape, Camera)):
+            raise TypeError(f"add() takes no keywords with a {type(item).__name__}, which has attributes; found {', '.join(options)}")
         if isinstance(item, Light):
             self._state.add_light(item)
         elif isinstance(item, Material):
@@ -225,7 +227,9 @@ class Scene(ManyShapes, ShownScene):
         elif _accept.is_mesh(item):
             return self.mesh(item, **options)
         else:
-            raise TypeError(f"glint cannot add {type(item).__name__!r} to a scene")
+            hint = "; spheres(centers, radii) adds points" if isinstance(item, np.ndarray) else ""
+            hint = "; add them one by one" if isinstance(item, (list, tuple)) else hint
+            raise TypeError(f"glint cannot add {type(item).__name__!r} to a scene{hint}")
         return item
 
     # ---- Pictures and questions ----

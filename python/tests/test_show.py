@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import glint
+from glint import _accept
 
 POSITIONS = np.array([(0, 0, 0), (0.96, 0, 0), (-0.24, 0.93, 0)])
 VERTICES = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], float)
@@ -39,6 +40,8 @@ MOLECULES = {
     "pybel": Stand(atoms=[Stand(coords=tuple(p), atomicnum=n) for p, n in zip(POSITIONS, (8, 1, 1))]),
     "MDAnalysis": Stand(atoms=GROUP),
     "MDAnalysis names": Stand(atoms=NAMED),
+    "symbols": (["o", "H", 1], POSITIONS.tolist()),
+    "letters": ("OHH", POSITIONS),
 }
 
 
@@ -54,11 +57,16 @@ def test_molecules(name):
     assert image.array.max() > 0.5 and image.array[0].max() == 0
 
 
-def test_bonds_without_scipy_are_those_of_all_pairs():
-    from glint._accept import _near_pairs
+def test_elements_are_symbols_and_names_are_not():
+    elements = Stand(positions=POSITIONS, elements=np.array(["Ca", "Xx", ""]), names=np.array(["O", "O", "O1"]))
+    colors = [glint.show(Stand(atoms=elements), bonds=False).shapes[i].color for i in range(3)]
+    calcium, oxygen = (glint.show(([symbol], [(0, 0, 0)])).shapes[0].color for symbol in ("Ca", "O"))
+    assert colors == [calcium, oxygen, oxygen]
 
+
+def test_bonds_without_scipy_are_those_of_all_pairs():
     points = np.random.default_rng(2).random((60, 3))
-    pairs = {tuple(sorted(pair)) for pair in _near_pairs(points, 0.3).tolist()}
+    pairs = {tuple(sorted(pair)) for pair in _accept._near_pairs(points, 0.3).tolist()}
     near = np.abs(points[:, None] - points[None]).max(axis=2) < 0.3
     assert pairs == {(i, j) for i in range(60) for j in range(i + 1, 60) if near[i, j]}
 
@@ -83,6 +91,37 @@ def test_meshes(name):
     assert corners == set(map(tuple, VERTICES.tolist()))
     assert (scene.render().array[10:30, 10:30] > 0.1).all()
     assert scene.shapes[0].kind == ("smooth_triangle" if name == "trimesh" else "triangle")
+
+
+CELLS = {
+    "tetra": ([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], 4, 1 / 6),
+    "pyramid": ([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1)], 6, 1 / 3),
+    "wedge": ([(0, 0, 0), (0, 1, 0), (1, 0, 0), (0, 0, 1), (0, 1, 1), (1, 0, 1)], 8, 1 / 2),
+    "hexahedron": ([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)], 12, 1),
+}
+
+
+@pytest.mark.parametrize("kind", CELLS)
+def test_cells_with_a_volume_have_their_outside(kind):
+    points, count, volume = CELLS[kind]
+    found = _accept.mesh_arrays(Stand(points=np.array(points), cells=[Stand(type=kind, data=[range(len(points))])]))
+    corners = found.vertices[found.triangles]
+    assert len(corners) == count
+    assert np.linalg.det(corners).sum() / 6 == pytest.approx(volume)  # counter-clockwise from outside
+
+
+def test_faces_between_cells_are_left_out():
+    points = np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1)])
+    cells = [Stand(type="tetra10", data=[(0, 1, 2, 3, *[0] * 6), (1, 2, 3, 4, *[0] * 6)])]
+    assert len(_accept.mesh_arrays(Stand(points=points, cells=cells)).triangles) == 6
+
+
+@pytest.mark.parametrize("name", ["to_mesh", "dump"])
+def test_scenes_of_trimesh(name):
+    parts = Stand(geometry={}, dump=lambda concatenate: MESHES["trimesh"])
+    if name == "to_mesh":
+        parts = Stand(geometry={}, dump=None, to_mesh=lambda: MESHES["trimesh"])
+    assert len(glint.show(parts).shapes) == 2
 
 
 def test_colors_of_vertices_and_of_faces():
@@ -115,12 +154,18 @@ def test_values_of_meshes():
     pytest.importorskip("matplotlib")
     scene.add(Stand(points=VERTICES, faces=np.array([4, 0, 1, 2, 3]), active_scalars=np.arange(4)))
     assert len(np.unique(scene.shapes[3].colors, axis=0)) == 4
+    scene.add(Stand(points=VERTICES, faces=np.array([3, 0, 1, 2, 3, 0, 2, 3]), active_scalars=np.arange(2)))
+    assert scene.shapes[4].color != scene.shapes[5].color
 
 
 def test_show_of_scenes_and_shapes(scene):
     shown = glint.show(scene, direction="top", size=(20, 20))
     assert len(shown.lights) == 1 and shown.camera.position[1] > 1 and scene.camera.position == (0, 1, 6)
+    assert shown.background == scene.background and glint.show(scene, background="red").background == (1, 0, 0)
     assert len(glint.show(glint.Sphere(), glint.Box((2, 0, 0), (3, 1, 1))).shapes) == 2
+    assert len(glint.show(MOLECULES["ase"], glint.Sphere(), bonds=False).shapes) == 4
+    with pytest.raises(TypeError, match="add\\(\\) takes no keywords with a Sphere"):
+        glint.show(glint.Sphere(), color="red")
 
 
 @pytest.mark.parametrize(
@@ -128,7 +173,10 @@ def test_show_of_scenes_and_shapes(scene):
     [
         (lambda: glint.show(3), TypeError, "glint cannot add 'int' to a scene"),
         (lambda: glint.Scene().mesh(3), TypeError, "mesh: expected an object with vertices and faces, found 3"),
-        (lambda: glint.Scene().atoms(3), TypeError, "atoms: expected atoms of ASE, Open Babel or MDAnalysis, found 3"),
+        (lambda: glint.Scene().atoms(3), TypeError, "atoms: expected atoms of ASE, Open Babel or MDAnalysis, or (symbols, positions), found 3"),
+        (lambda: glint.show(("OHH", np.zeros((3, 3)))), ValueError, "atoms: all 3 are at (0.0, 0.0, 0.0); Open Babel's make3D()"),
+        (lambda: glint.show(("OH", POSITIONS)), ValueError, "atoms: expected a symbol for each position, found 2 and 3"),
+        (lambda: glint.show(Stand(atoms=Atoms())), TypeError, "glint cannot add 'SimpleNamespace' to a scene"),
         (lambda: glint.show(), ValueError, "the scene has nothing to fit"),
         (lambda: glint.show(Stand(points=VERTICES, cells=[])), ValueError, "the mesh has no triangles"),
         (lambda: glint.show(MESHES["trimesh"], values=[1, 2, 3]), ValueError, "values: expected one number for each, 2, found 3"),
