@@ -156,6 +156,21 @@ def orbit(self: Camera, right: float = 0.0, up: float = 0.0) -> Camera:
     return self
 
 
+def zoom(self: Camera, factor: float) -> Camera:
+    """Enlarges what is in the middle of the picture, and returns the camera: it stays where it is, and its fov or width changes.
+
+    factor: > 0; 2: twice as large.
+    """
+    expect("factor", factor, float)
+    if not 0 < factor < 1e12:
+        raise ValueError(f"factor: expected a number > 0, found {factor!r}")
+    if self.projection == "orthographic":
+        self.width /= factor
+    else:
+        self.fov = float(np.degrees(2 * np.arctan(np.tan(np.radians(self.fov) / 2) / factor)))
+    return self
+
+
 class CountedImages:
     """Images that are made one after the other, and how many they are: for progress."""
 
@@ -197,6 +212,6 @@ def frame_unset(scene: Scene, size: Any = None) -> None:
 
 def add_methods() -> None:
     """Once, when the package is imported."""
-    for name, method in (("fit", fit), ("orbit", orbit)):
+    for name, method in (("fit", fit), ("orbit", orbit), ("zoom", zoom)):
         method.__qualname__ = f"Camera.{name}"
         setattr(_glint.Camera, name, method)

@@ -100,12 +100,24 @@ def test_fit_of_a_part_and_of_axes():
         (lambda c: c.fit([(0, 0, 0), (1, 1, 1)], margin=0.5), "margin: expected a number from 0 to less than 0.5"),
         (lambda c: c.fit([(0, 0, 0), (1, 1, 1)], margin="a"), "margin: expected a number, found 'a'"),
         (lambda c: c.orbit("a"), "right: expected a number, found 'a'"),
+        (lambda c: c.zoom("a"), "factor: expected a number, found 'a'"),
+        (lambda c: c.zoom(0), "factor: expected a number > 0, found 0"),
     ],
 )
 def test_refuses(call, message):
     with pytest.raises((TypeError, ValueError)) as raised:
         call(glint.Camera())
     assert str(raised.value).startswith(message)
+
+
+@pytest.mark.parametrize("projection", ["perspective", "orthographic"])
+def test_zoom(projection):
+    """The middle part of a picture, twice as large."""
+    scene = glint.Scene(glint.Box((-1, -1, -1), (1, 1, 1)), glint.Light("ambient"), size=(80, 80))
+    scene.camera = glint.Camera(position=(0, 0, 9), look_at=(0, 0, 0), fov=50, projection=projection, width=8)
+    middle = scene.render(crop="40x40+20+20").to_uint8()
+    assert scene.camera.zoom(2) is scene.camera and scene.camera.position == (0, 0, 9)
+    assert (scene.render(size=(40, 40)).to_uint8() == middle).all() and middle.any() and not middle.all()
 
 
 def test_orbit():
