@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._apng import ApngWriter
-from ._expect import expect, shown
+from ._expect import expect, plain, shown
 from ._files import write_file
 from ._image import Image, PathLike, to_image
 from ._mp4 import Mp4Writer
@@ -98,6 +98,7 @@ def _open_writer(format: str, fps: float, plays: int, transfer: Optional[Transfe
     return ApngWriter(fps, plays, transfer) if format == "apng" else Mp4Writer(fps)
 
 
+@plain
 def animate(
     frames: Iterable[Any],
     path: Union[PathLike, IO[bytes]],

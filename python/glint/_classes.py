@@ -10,6 +10,7 @@ import numpy as np
 
 from . import _glint
 from ._expect import expect, shown, suggest, unknown_attribute
+from ._hints import attribute_hint
 
 _COMMON = ("material", "color", "transform", "name")
 _POSITIONAL: Dict[Any, Tuple[str, ...]] = {
@@ -140,7 +141,7 @@ def _complete(cls: Any) -> None:
                 _check(cls, key, value)
         for key, value in keywords.items():
             if key not in names:
-                raise TypeError(f"{name} has no attribute '{key}'{suggest(key, names)}")
+                raise TypeError(f"{name} has no attribute '{key}'{attribute_hint(name, key) or suggest(key, names)}")
             if key in checked:
                 _check(cls, key, value)
         for key in required[len(values):]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The named colors of CSS Color Module Level 4, section 6.1, as hexadecimal digits."""
+"""The named colors of CSS Color Module Level 4, section 6.1, and matplotlib's "tab:" colors, as hexadecimal digits."""
 
 _NAMES = """
 3.6.3
@@ -27,6 +27,8 @@ salmon=fa8072 sandybrown=f4a460 seagreen=2e8b57 seashell=fff5ee sienna=a0522d si
 slateblue=6a5acd slategray=708090 slategrey=708090 snow=fffafa springgreen=00ff7f steelblue=4682b4 tan=d2b48c
 teal=008080 thistle=d8bfd8 tomato=ff6347 turquoise=40e0d0 violet=ee82ee wheat=f5deb3 white=ffffff whitesmoke=f5f5f5
 yellow=ffff00 yellowgreen=9acd32
+tab:blue=1f77b4 tab:orange=ff7f0e tab:green=2ca02c tab:red=d62728 tab:purple=9467bd tab:brown=8c564b tab:pink=e377c2
+tab:gray=7f7f7f tab:grey=7f7f7f tab:olive=bcbd22 tab:cyan=17becf
 """
 
 COLOR_NAMES = {name: digits for name, _, digits in (entry.partition("=") for entry in _NAMES.split())}

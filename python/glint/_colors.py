@@ -12,7 +12,7 @@ import numpy.typing as npt
 
 from ._color_names import COLOR_NAMES
 from ._errors import warn_of
-from ._expect import shown
+from ._expect import shown, suggest
 from ._image import Image
 from ._values import Color, ColorLike
 
@@ -61,7 +61,7 @@ def find_colormap(colormap: Colormap) -> Callable[..., Any]:
     try:
         return matplotlib.colormaps[colormap]  # type: ignore[no-any-return]
     except KeyError:
-        raise ValueError(f"colormap: matplotlib has no colormap {colormap!r}") from None
+        raise ValueError(f"colormap: matplotlib has no colormap {colormap!r}{suggest(colormap, matplotlib.colormaps)}") from None
 
 
 class ColorScale:

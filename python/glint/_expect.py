@@ -13,6 +13,8 @@ from typing import Any, Callable, Iterable, TypeVar
 
 import numpy as np
 
+from ._hints import attribute_hint, keyword_hint, missing_hint
+
 Function = TypeVar("Function", bound=Callable[..., Any])
 # What pybind11 says of arguments that it cannot convert.
 _NOT_FOR_USERS = ("incompatible function arguments", "incompatible constructor arguments", "Unable to cast")
@@ -35,7 +37,8 @@ def unknown_attribute(owner: object, name: str) -> AttributeError:
     """The error for a name that a class does not have, with the one that was probably meant."""
     kind = type(owner)
     known = [known for known in dir(kind) if not known.startswith("_")]
-    return AttributeError(f"{kind.__name__} has no attribute '{name}'{suggest(name, known)}")
+    hint = next(filter(None, (attribute_hint(base.__name__, name) for base in kind.__mro__)), "")
+    return AttributeError(f"{kind.__name__} has no attribute '{name}'{hint or suggest(name, known)}")
 
 
 class Closed:
@@ -121,6 +124,28 @@ def _wrong_argument(function: Callable[..., Any], arguments: Any, keywords: Any)
     return TypeError(f"{function.__name__}(): an argument is of a wrong type: {given}")
 
 
+def _wrong_call(function: Callable[..., Any], arguments: Any, keywords: Any) -> str:
+    """Why a function cannot be called with these arguments; nothing if it can."""
+    signature = inspect.signature(function)
+    try:
+        signature.bind(*arguments, **keywords)
+        return ""
+    except TypeError as error:
+        said = str(error)
+    name = function.__name__
+    parameters = list(signature.parameters.values())
+    names = [parameter.name for parameter in parameters]
+    for keyword in keywords:
+        if keyword not in names:
+            return f"{name}() has no keyword '{keyword}'{keyword_hint(keyword, ' '.join(names)) or suggest(keyword, names)}"
+    positional = [parameter.name for parameter in parameters if parameter.kind is parameter.POSITIONAL_OR_KEYWORD]
+    if len(arguments) > len(positional):
+        taken = [parameter for parameter in positional if parameter != "self"]
+        takes = f"{', '.join(taken)} and then keywords" if taken else f"keywords only, such as {names[len(positional)]}="
+        return f"{name}() takes {takes}; found {shown(arguments[len(positional)])} without a keyword"
+    return f"{name}(): {said}{missing_hint(name) if said.startswith('missing') else ''}"
+
+
 def _sizes(function: Callable[..., Any], arguments: Any, keywords: Any) -> str:
     """Of the arguments that are arrays: ' for centers of 1000000 x 3 numbers'."""
     bound = inspect.signature(function).bind(*arguments, **keywords).arguments
@@ -137,6 +162,9 @@ def plain(function: Function) -> Function:
         try:
             return function(*arguments, **keywords)
         except (TypeError, RuntimeError) as error:
+            wrong = _wrong_call(function, arguments, keywords) if isinstance(error, TypeError) else ""
+            if wrong:
+                raise TypeError(wrong) from None
             if not any(words in str(error) for words in _NOT_FOR_USERS):
                 raise
         except MemoryError as error:

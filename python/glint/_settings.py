@@ -10,6 +10,7 @@ from typing import Any, Dict, Iterator, List, Mapping, MutableMapping, NamedTupl
 import numpy as np
 
 from . import _glint
+from ._expect import suggest
 
 Setting = Union[bool, int, float, str, Tuple[int, int]]
 """A value: a bool, a number, a word ('phong'), or a size (width, height) in pixels."""
@@ -85,7 +86,7 @@ class Settings(MutableMapping[str, Any]):
 
     def __getitem__(self, key: str) -> Any:
         if key not in self._keys:
-            raise KeyError(key)
+            raise KeyError(f"there is no setting '{key}'{suggest(key, self._keys)}")
         return from_text(key, self._state.get_setting(key))
 
     def __setitem__(self, key: str, value: Any) -> None:
