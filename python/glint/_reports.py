@@ -50,7 +50,8 @@ class Record(Mapping[str, Any]):
         return len(self.data)
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({', '.join(self.data)})"
+        shown = (f"{key}={'...' if isinstance(value, (Record, list)) else repr(value)}" for key, value in self.items())
+        return f"{type(self).__name__}({', '.join(shown)})"
 
 
 class _Report(Record):

@@ -355,3 +355,10 @@ def test_messages_and_texts_do_not_control_a_terminal(tmp_path):
     with pytest.raises(glint.GlintError) as caught:
         glint.loads("sphere { }", name="a\x1b[31m.glint")
     assert "\x1b" not in str(caught.value)
+
+
+def test_parts_of_answers_show_their_values(scene):
+    terms = glint.explain(scene, 32, 24).rays[0].hit.lights[0]
+    shown = repr(terms)
+    assert f"reason={terms.reason!r}, " in shown and f"n_l={terms.n_l!r}" in shown and "light=..., " in shown
+    assert f"diffuse={terms.diffuse!r}" in shown
