@@ -55,6 +55,12 @@ PLANTED = [
     'scene.render(size="large", aa=1.5)',
     'scene.render().save("a.png", transfer="gamma")',
     'scene.fog = glint.Fog("dense")',
+    'scene.cast((0, 0, 5))',
+    'scene.camera.zoom("near")',
+    'scene.turntable("3")',
+    'glint.surface([0])',
+    'glint.show(scene, up="z")',
+    'glint.explain(scene, 3)',
 ]
 
 
