@@ -4,12 +4,13 @@ and meshio. None of these packages is imported for that."""
 
 from __future__ import annotations
 
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+from typing import Any, List, NamedTuple, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
 
 from ._elements import looks_of, numbers_of, numbers_of_symbols
+from ._polygons import Triangles, join, of_boundary, of_faces, of_flat_faces
 
 Array = npt.NDArray[Any]
 
@@ -104,12 +105,15 @@ def _near_pairs(positions: Array, reach: float) -> Array:
 class MeshArrays(NamedTuple):
     vertices: Array
     triangles: Array
+    owners: Array
+    """(N,): which of the mesh's faces, or of its cells with a volume, each triangle is of."""
+    owner_count: int
     normals: Optional[Array]
     """(V, 3), or None."""
     colors: Optional[Array]
-    """(V, 3) or (N, 3), or None."""
+    """(V, 3), or of the triangles or the faces, or None."""
     values: Optional[Array]
-    """(V,) or (N,), or None."""
+    """(V,), or of the triangles or the faces, or None."""
 
 
 def _is_trimesh_scene(item: Any) -> bool:
@@ -125,74 +129,21 @@ def is_mesh(item: Any) -> bool:
     return hasattr(item, "points") and any(hasattr(item, name) for name in ("faces", "cells", "extract_surface"))
 
 
-def triangle_faces(faces: Any) -> Array:
-    """Triangles of faces with any number of corners: fans from each face's first."""
-    if len(faces) == 0:
-        return np.zeros((0, 3), np.int64)
-    try:
-        array = np.asarray(faces, dtype=np.int64)
-    except ValueError:  # faces of several sizes
-        array = None
-    if array is not None and array.ndim == 2:
-        fans = [array[:, [0, i, i + 1]] for i in range(1, array.shape[1] - 1)]
-        triangles: Array = np.stack(fans, axis=1).reshape(-1, 3)
-        return triangles
-    fan = [(face[0], face[i], face[i + 1]) for face in faces for i in range(1, len(face) - 1)]
-    return np.asarray(fan, np.int64).reshape(-1, 3)
-
-
-def _flat_faces(flat: Array) -> Array:
-    """pyvista's: the number of corners before the corners of each face."""
-    if len(flat) % 4 == 0 and (flat[::4] == 3).all():
-        triangles: Array = flat.reshape(-1, 4)[:, 1:]
-        return triangles
-    faces, at = [], 0
-    while at < len(flat):
-        faces.append(flat[at + 1:at + 1 + flat[at]])
-        at += 1 + int(flat[at])
-    return triangle_faces(faces)
-
-
-def _triangles(mesh: Any) -> Array:
+def _triangles(mesh: Any) -> Triangles:
     if hasattr(mesh, "vertices"):
-        return triangle_faces(mesh.faces)
+        return of_faces(mesh.faces)
     if hasattr(mesh, "faces"):
         faces = np.asarray(mesh.faces, np.int64)
-        return _flat_faces(faces) if faces.ndim == 1 else triangle_faces(faces)
-    blocks = [np.zeros((0, 3), np.int64)]
+        return of_flat_faces(faces) if faces.ndim == 1 else of_faces(faces)
+    blocks = []
     for block in mesh.cells:  # meshio's
         if str(block.type).startswith(("triangle", "quad", "polygon")):
             corners = {"triangle6": 3, "triangle7": 3, "quad8": 4, "quad9": 4}.get(str(block.type))
-            blocks.append(triangle_faces([face[:corners] for face in block.data] if corners else block.data))
-    if len(blocks) == 1:
-        blocks = _boundary(mesh.cells)
-    if not blocks:
+            blocks.append(of_faces([face[:corners] for face in block.data] if corners else block.data))
+    found = join(blocks) if blocks else of_boundary(mesh.cells)
+    if not len(found.corners):
         raise ValueError("the mesh has no triangles, quadrangles, polygons or cells with a volume")
-    return np.concatenate(blocks)
-
-
-# The faces of cells with a volume, counter-clockwise from outside, as VTK and meshio number their corners.
-_FACES_OF_CELLS: Dict[str, List[Tuple[int, ...]]] = {
-    "tetra": [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)],
-    "pyramid": [(0, 3, 2, 1), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)],
-    "wedge": [(0, 1, 2), (3, 5, 4), (0, 3, 4, 1), (1, 4, 5, 2), (2, 5, 3, 0)],
-    "hexahedron": [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)],
-}
-
-
-def _boundary(cells: Any) -> List[Array]:
-    """Triangles of the faces that one cell alone has."""
-    found: Dict[int, List[Array]] = {}
-    for block in cells:
-        kind = str(block.type).rstrip("0123456789")  # tetra10: the first four are the corners
-        for corners in _FACES_OF_CELLS.get(kind, []):
-            found.setdefault(len(corners), []).append(np.asarray(block.data, np.int64)[:, list(corners)])
-    outside = []
-    for parts in found.values():
-        faces = np.concatenate(parts)
-        _, first, counts = np.unique(np.sort(faces, axis=1), axis=0, return_index=True, return_counts=True)
-        outside.append(triangle_faces(faces[np.sort(first[counts == 1])]))
-    return outside
+    return found
 
 
 def _normals(mesh: Any, vertices: Array, triangles: Array) -> Optional[Array]:
@@ -221,14 +172,12 @@ def mesh_arrays(mesh: Any) -> MeshArrays:
     if vertices.ndim == 2 and vertices.shape[1] == 2:
         vertices = np.pad(vertices, ((0, 0), (0, 1)))
     vertices = vertices.reshape(-1, 3)
-    triangles = _triangles(mesh)
+    triangles, owners, owner_count = _triangles(mesh)
     visual: Any = getattr(mesh, "visual", None)
     colors = None
     if getattr(visual, "kind", None) in ("vertex", "face"):
         colors = np.asarray(getattr(visual, f"{visual.kind}_colors"))[:, :3]
-        if visual.kind == "face" and len(colors) != len(triangles):
-            colors = None  # faces with more corners than three
     scalars = getattr(mesh, "active_scalars", None)
-    is_known = scalars is not None and np.shape(scalars) in ((len(vertices),), (len(triangles),))
+    is_known = scalars is not None and np.shape(scalars) in ((len(vertices),), (len(triangles),), (owner_count,))
     values = np.asarray(scalars, float) if is_known else None
-    return MeshArrays(vertices, triangles, _normals(mesh, vertices, triangles), colors, values)
+    return MeshArrays(vertices, triangles, owners, owner_count, _normals(mesh, vertices, triangles), colors, values)

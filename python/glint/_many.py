@@ -178,8 +178,8 @@ class ManyShapes(Closed):
         """Adds a glint.surface(), a mesh of trimesh, pyvista or meshio, or any object with `vertices` and `faces` of three
         or more corners.
 
-        colors: one, (N, 3) of triangles, or (V, 3) of vertices, which are interpolated; by default those of trimesh's
-        `visual`. values: (N,) or (V,), as for spheres(); by default pyvista's `active_scalars`. Where there are as many
+        colors: one, (N, 3) of triangles, faces or cells, or (V, 3) of vertices, which are interpolated; by default those of
+        trimesh's `visual`. values: (N,) or (V,), as for spheres(); by default pyvista's `active_scalars`. Where there are as many
         triangles as vertices, they are of the triangles. Of a surface(), both are of its grid. smooth: by the mesh's normals of vertices, if it has them.
         Returns the range of the shapes' numbers: triangles, or one Mesh if there are colors of vertices.
         """
@@ -193,10 +193,19 @@ class ManyShapes(Closed):
             values = None if values is None else np.ravel(values)
             colors = np.reshape(colors, (-1, 3)) if np.ndim(colors) == 3 else colors
         each = colors if values is None else values
-        count = rows_of(each) if each is not None and not isinstance(each, str) else None
-        is_of_vertices = count == len(found.vertices) and np.ndim(each) > 0
-        is_of_vertices = is_of_vertices and (isinstance(mesh, Surface) or count != len(found.triangles))
-        if is_of_vertices and (values is not None or colormap is not None or np.ndim(each) == 2 or isinstance(each[0], str)):
+        count = rows_of(each) if each is not None and not isinstance(each, str) and np.ndim(each) else None
+        # Three numbers are one color.
+        is_list = bool(count) and (values is not None or colormap is not None or np.ndim(each) == 2 or isinstance(each[0], str))
+        if is_list and count == found.owner_count and count not in (len(found.vertices), len(found.triangles)):
+            # From the faces to their triangles.
+            if values is None:
+                colors = [colors[owner] for owner in found.owners]
+            else:
+                masked: Any = np.ma  # has no types
+                values = masked.asarray(values)[found.owners]
+            count = len(found.triangles)
+        is_of_vertices = count == len(found.vertices) and (isinstance(mesh, Surface) or count != len(found.triangles))
+        if is_list and is_of_vertices:
             given = colors_of(colors, values, colormap, vmin, vmax, norm, nan_color, count)
             self.add_mesh(found.vertices, found.triangles, normals=normals, colors=given, material=material)
             return range(self._state.shape_count() - 1, self._state.shape_count())

@@ -54,3 +54,9 @@ def test_meshes_of_meshio(tmp_path):
         assert len(seen(mesh)) == count
         pytest.importorskip("matplotlib")
         seen(mesh, values=np.arange(count), colormap="plasma")
+    square = np.pad([(0.0, 0), (1, 0), (2, 0), (0, 1), (1, 1), (2, 1)], ((0, 0), (0, 1)))
+    cells = [("quad", np.array([(0, 1, 4, 3), (1, 2, 5, 4)]))]
+    meshio.write(tmp_path / "c.vtk", meshio.Mesh(square, cells, cell_data={"p": [np.array([1.0, 2.0])]}))
+    mesh = meshio.read(tmp_path / "c.vtk")
+    shapes = seen(mesh, values=mesh.cell_data["p"][0], colormap="plasma")
+    assert shapes[0].color == shapes[1].color != shapes[2].color == shapes[3].color

@@ -116,6 +116,30 @@ def test_faces_between_cells_are_left_out():
     assert len(_accept.mesh_arrays(Stand(points=points, cells=cells)).triangles) == 6
 
 
+def test_values_of_faces_and_of_cells():
+    """Of faces with more corners than three, and of cells whose outside is drawn; a color of three numbers is one."""
+    grey = dict(colormap=lambda x: np.repeat(x[:, None], 3, axis=1))
+    strip = np.array([(x, y, 0.0) for x in range(4) for y in range(2)])
+    quads = np.array([(0, 2, 3, 1), (2, 4, 5, 3), (4, 6, 7, 5)])
+    blocks = Stand(points=strip, cells=[Stand(type="quad", data=quads[:1]), Stand(type="quad", data=quads[1:])])
+    ragged = Stand(points=strip, faces=np.array([4, 0, 2, 3, 1, 3, 2, 4, 5, 4, 4, 6, 7, 5]), active_scalars=np.arange(3))
+    for mesh, shades in ((blocks, [0, 0, 0.5, 0.5, 1, 1]), (ragged, [0, 0, 0.5, 1, 1])):
+        scene = glint.Scene()
+        assert len(scene.mesh(mesh, values=[5, 6, 7], **grey)) == len(shades)
+        assert [shape.color.r for shape in scene.shapes] == shades
+    with pytest.warns(glint.GlintWarning, match="values: 2 of 6"):
+        scene.mesh(blocks, values=np.ma.masked_equal([5, 6, 7], 6), **grey)
+    scene = glint.Scene()
+    scene.mesh(blocks, ["red", "lime", "blue"])
+    assert scene.shapes[2].color == (0, 1, 0)
+    scene.mesh(blocks, (0.5, 0.25, 1))
+    assert scene.shapes[6].material.color == (0.5, 0.25, 1)
+    cells = Stand(points=strip, cells=[Stand(type="tetra", data=np.array([(0, 1, 2, 3), (4, 5, 6, 7)]))])
+    scene = glint.Scene()
+    scene.mesh(cells, values=[1, 2], **grey)
+    assert [shape.color.r for shape in scene.shapes] == [0, 1] * 4
+
+
 @pytest.mark.parametrize("name", ["to_mesh", "dump"])
 def test_scenes_of_trimesh(name):
     parts = Stand(geometry={}, dump=lambda concatenate: MESHES["trimesh"])
