@@ -23,6 +23,7 @@
 #include "scene/texture_fields.h"
 #include "scene/validate_shapes.h"
 #include "scene/validate_texture.h"
+#include "scene/validate_transform.h"
 
 namespace glint {
 namespace {
@@ -284,7 +285,7 @@ class Validator {
         const SourcePlace place = scene_.texture_texts.place(i);
         const std::string of = item("texture", i, scene_.texture_texts.name(i));
         check_fields<Texture>(k_texture_fields, texture, place, of);
-        if (const std::string mistake = glint::mistake_in(texture); !mistake.empty())
+        if (const std::string mistake = mistake_in(texture); !mistake.empty())
             error(place, fmt::format("{}: {}", of, mistake));
         if (const std::string_view mistake = mistake_in(texture.world_from_texture); !mistake.empty())
             error(place, fmt::format("{}: its transform{}", of, mistake));
@@ -324,20 +325,6 @@ class Validator {
         if (mistake.empty()) return;
         begin(SceneItem::transform, i);
         error(place ? *place : place_of_transform(i), fmt::format("transform {}{}", i + 1, mistake));
-    }
-
-    static std::string_view mistake_in(const Affine& map) {
-        const auto& m = map.m;
-        bool finite = true;
-        Vec3 rows[3];
-        for (int r = 0; r < 3; ++r) {
-            for (const double x : m[r]) finite = finite && k_coordinate.contains(x);
-            rows[r] = {m[r][0], m[r][1], m[r][2]};
-        }
-        if (!finite) return ": expected numbers from -1e12 to 1e12";
-        const double volume = dot(cross(unit_or_zero(rows[0]), unit_or_zero(rows[1])), unit_or_zero(rows[2]));
-        if (!(number::abs(volume) >= k_parallel)) return " flattens what it transforms: it has no inverse";
-        return {};
     }
 
     // The place of the first shape with the transform.
