@@ -6,9 +6,12 @@ from __future__ import annotations
 import operator
 from typing import Any, Generic, List, MutableSequence, Sequence, Tuple, TypeVar, Union, overload
 
+import numpy as np
+
 from . import _glint
 from ._expect import expect
 from ._glint import Light, Material, Shape, Texture
+from ._shape_arrays import Numbers, ShapeArrays, ShapeSelection, numbers_of
 
 Item = TypeVar("Item")
 
@@ -123,23 +126,38 @@ class Textures(_Items[Texture]):
         self._state.add_texture(value)
 
 
-class Shapes(_Items[Any]):
-    """The scene's shapes, by number or by name: Spheres, Planes ... (for type checkers Any)."""
+class Shapes(ShapeArrays, _Items[Any]):
+    """The scene's shapes, by number or by name: Spheres, Planes ... (for type checkers Any). A slice, a range, an array of
+    numbers or a mask chooses several: scene.shapes[numbers].centers. scene.shapes.centers is that of all shapes."""
 
     _what = "shape"
+
+    def _numbers(self) -> Numbers:
+        return np.arange(len(self), dtype=np.int64)
+
+    @overload  # type: ignore[override]  # a slice is no list
+    def __getitem__(self, key: Union[int, str]) -> Any: ...
+    @overload
+    def __getitem__(self, key: Any) -> ShapeSelection: ...
+
+    def __getitem__(self, key: Any) -> Any:
+        if isinstance(key, str) or hasattr(key, "__index__") and np.ndim(key) == 0:
+            return super().__getitem__(key)
+        return ShapeSelection(self._state, numbers_of(key, len(self)))
 
     def __setitem__(self, key: Union[int, str], value: Shape) -> None:
         index = [s.name for s in self].index(key) if isinstance(key, str) else self._index(key)
         expect("shapes", value, Shape)
         self._state.set_shape(index, value)
 
-    def __delitem__(self, key: Union[int, str, slice]) -> None:
-        if isinstance(key, slice):
-            self._state.remove_shapes(list(range(*key.indices(len(self)))))
-        elif isinstance(key, str):
-            self._state.remove_shapes([[s.name for s in self].index(key)])
+    def __delitem__(self, key: Any) -> None:
+        if isinstance(key, str):
+            numbers = [[s.name for s in self].index(key)]
+        elif hasattr(key, "__index__") and np.ndim(key) == 0:
+            numbers = [self._index(key)]
         else:
-            self._state.remove_shapes([self._index(key)])
+            numbers = numbers_of(key, len(self)).tolist()
+        self._state.remove_shapes(numbers)
 
     def append(self, value: Shape) -> None:
         """Adds a shape."""

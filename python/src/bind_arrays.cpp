@@ -5,70 +5,14 @@
 #include <cstring>
 #include <limits>
 
+#include "arrays.h"
 #include "errors.h"
 #include "scene_state.h"
 
 namespace glint::python {
 namespace {
 
-using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Indices = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
-
-std::string shape_text(const py::array& array) {
-    std::string text;
-    for (py::ssize_t i = 0; i < array.ndim(); ++i)
-        text += fmt::format("{}{}", i == 0 ? "" : " x ", array.shape(i));
-    return text.empty() ? "one number" : text;
-}
-
-Doubles doubles(const py::handle& value, std::string_view name) {
-    Doubles array = Doubles::ensure(value);
-    if (!array) {
-        PyErr_Clear();
-        throw py::value_error(fmt::format("{}: expected an array of numbers", name));
-    }
-    return array;
-}
-
-// An array of N x 3 numbers, each a coordinate.
-Doubles points(const py::handle& value, std::string_view name) {
-    Doubles array = doubles(value, name);
-    if (array.ndim() != 2 || array.shape(1) != 3)
-        throw py::value_error(
-            fmt::format("{}: expected an array of N x 3 numbers, found {}", name, shape_text(array)));
-    const double* x = array.data();
-    for (py::ssize_t i = 0; i < array.size(); ++i)
-        if (!k_coordinate.contains(x[i]))
-            throw py::value_error(
-                fmt::format("{}[{}]: expected {}, found {}", name, i / 3, k_coordinate.text, x[i]));
-    return array;
-}
-
-Vec3 point(const Doubles& array, std::size_t i) {
-    const double* p = array.data() + 3 * i;
-    return {p[0], p[1], p[2]};
-}
-
-// One number for all, or one for each.
-class Lengths {
-  public:
-    Lengths(const py::handle& value, std::string_view name, std::size_t count)
-        : array_(doubles(value, name)) {
-        if (array_.ndim() > 1 || (array_.ndim() == 1 && static_cast<std::size_t>(array_.size()) != count))
-            throw py::value_error(
-                fmt::format("{}: expected one number or {}, found {}", name, count, shape_text(array_)));
-        for (py::ssize_t i = 0; i < array_.size(); ++i)
-            if (!k_length.contains(array_.data()[i]))
-                throw py::value_error(
-                    fmt::format("{}[{}]: expected {}, found {}", name, i, k_length.text, array_.data()[i]));
-        step_ = array_.ndim() == 0 ? 0 : 1;
-    }
-    double operator[](std::size_t i) const { return array_.data()[step_ * i]; }
-
-  private:
-    Doubles array_;
-    std::size_t step_ = 0;
-};
 
 // The material of the new shapes and, if each has its own, their colors.
 struct Look {
@@ -79,32 +23,10 @@ struct Look {
 Look add_look(SceneState& state, const py::object& colors, const py::object& material, std::size_t count) {
     const auto box = material.is_none() ? nullptr : material.cast<std::shared_ptr<MaterialBox>>();
     if (colors.is_none()) return {state.add(box)};
-    auto array = is_number(colors) || py::isinstance<py::str>(colors) ? Doubles() : doubles(colors, "colors");
-    if (array.ndim() != 2) {
-        const Color one = to_color(colors, "colors", k_channel);
-        const Material colored = with_color(box ? box->value : Material{}, one);
-        return {
-            state.add(std::make_shared<MaterialBox>(MaterialBox{colored, {}, box ? box->texture : nullptr}))};
-    }
-    const auto channels = static_cast<std::size_t>(array.shape(1));
-    if (static_cast<std::size_t>(array.shape(0)) != count || (channels != 3 && channels != 4))
-        throw py::value_error(fmt::format(
-            "colors: expected one color or an array of {} x 3 numbers, found {}", count, shape_text(array)));
-    if (py::isinstance<py::array_t<std::uint8_t>>(colors)) {  // of which doubles() made a copy
-        double* const channel = array.mutable_data();
-        for (py::ssize_t i = 0; i < array.size(); ++i) channel[i] /= 255;
-    }
-    const double* c = array.data();
-    for (py::ssize_t i = 0; i < array.size(); ++i)
-        if (!k_channel.contains(c[i]))
-            throw py::value_error(fmt::format("colors[{}]: expected {}, found {}",
-                                              static_cast<std::size_t>(i) / channels, k_channel.text, c[i]));
-    Look look{state.add(box), std::vector<ShapeColor>(count)};
-    for (ShapeColor& color : look.colors) {
-        color = {static_cast<float>(c[0]), static_cast<float>(c[1]), static_cast<float>(c[2])};
-        c += channels;
-    }
-    return look;
+    ShapeColors found = to_shape_colors(colors, count);
+    if (!found.one) return {state.add(box), std::move(found.each)};
+    const Material colored = with_color(box ? box->value : Material{}, *found.one);
+    return {state.add(std::make_shared<MaterialBox>(MaterialBox{colored, {}, box ? box->texture : nullptr}))};
 }
 
 // Adds `count` shapes; make(i) gives the parameters of each. Returns range(first, last).
@@ -132,7 +54,7 @@ py::object add_shapes(SceneState& state, std::size_t count, const py::object& co
 
 py::object add_spheres(SceneState& state, const py::object& centers, const py::object& radii,
                        const py::object& colors, const py::object& material) {
-    const Doubles at = points(centers, "centers");
+    const Doubles at = to_points_array(centers, "centers");
     const auto count = static_cast<std::size_t>(at.shape(0));
     const Lengths radius(radii, "radii", count);
     return add_shapes<Sphere>(state, count, colors, material, [&](std::size_t i) {
@@ -143,7 +65,7 @@ py::object add_spheres(SceneState& state, const py::object& centers, const py::o
 py::object add_cylinders(SceneState& state, const py::object& from, const py::object& to,
                          const py::object& radii, const py::object& colors, const py::object& material,
                          bool caps) {
-    const Doubles a = points(from, "from_"), b = points(to, "to");
+    const Doubles a = to_points_array(from, "from_"), b = to_points_array(to, "to");
     if (a.shape(0) != b.shape(0))
         throw py::value_error(fmt::format("from_ has {} points, to has {}", a.shape(0), b.shape(0)));
     const auto count = static_cast<std::size_t>(a.shape(0));
@@ -156,14 +78,14 @@ py::object add_cylinders(SceneState& state, const py::object& from, const py::ob
 // The triangles' corners: N x 3 x 3 numbers, or points and the indices of three for each.
 Doubles corners(const py::object& values, const py::object& faces, std::string_view name) {
     if (faces.is_none()) {
-        const Doubles array = doubles(values, name);
+        const Doubles array = to_doubles(values, name);
         if (array.ndim() != 3 || array.shape(1) != 3 || array.shape(2) != 3)
             throw py::value_error(
                 fmt::format("{}: expected an array of N x 3 x 3 numbers, or N x 3 and faces, found {}", name,
                             shape_text(array)));
         return array;
     }
-    const Doubles all = points(values, name);
+    const Doubles all = to_points_array(values, name);
     const Indices three = Indices::ensure(faces);
     if (!three) PyErr_Clear();
     if (!three || three.ndim() != 2 || three.shape(1) != 3)
@@ -201,7 +123,7 @@ py::object add_triangles(SceneState& state, const py::object& vertices, const py
 
 // Of N x 3 numbers or three.
 Doubles rays(const py::object& value, std::string_view name) {
-    const Doubles array = doubles(value, name);
+    const Doubles array = to_doubles(value, name);
     if (array.ndim() < 1 || array.ndim() > 2 || array.shape(array.ndim() - 1) != 3)
         throw py::value_error(
             fmt::format("{}: expected an array of N x 3 numbers, found {}", name, shape_text(array)));
@@ -255,6 +177,7 @@ void bind_arrays(py::class_<SceneState, std::shared_ptr<SceneState>>& cls) {
         .def("add_triangles", &add_triangles)
         .def("cast_rays", &cast)
         .def("bounds", &bounds_of);
+    bind_shape_arrays(cls);
 }
 
 }  // namespace glint::python

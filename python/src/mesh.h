@@ -12,7 +12,7 @@ namespace glint::python {
 struct MeshBox : ShapeBox {
     std::shared_ptr<const MeshData> data = std::make_shared<const MeshData>();
 
-    void read(const Scene& scene, const Shape& shape) {
+    void read(const Scene& scene, const Shape& shape) override {
         data = scene.meshes[scene.get<Mesh>()[shape.index].mesh];
     }
     ShapeKind kind() const override { return ShapeKind::mesh; }

@@ -52,8 +52,9 @@ Snapshot SceneState::prepare(const SettingList& overrides, const py::object& pro
     sync();
     std::shared_ptr<const Scene> scene = scene_;
     std::vector<std::uint32_t> shapes;
-    for (const auto& [edit, index] : edited_shapes_)
-        if (edit > world_edits_) shapes.push_back(index);
+    for (const ShapesEdit& edit : edited_shapes_)
+        if (edit.edit > world_edits_)
+            for (std::uint32_t index = edit.first; index < edit.end; ++index) shapes.push_back(index);
     std::sort(shapes.begin(), shapes.end());
     shapes.erase(std::unique(shapes.begin(), shapes.end()), shapes.end());
 
@@ -92,7 +93,7 @@ Snapshot SceneState::prepare(const SettingList& overrides, const py::object& pro
         world_versions_ = now;
         world_edits_ = edits;
         has_world_ = true;
-        std::erase_if(edited_shapes_, [&](const auto& edit) { return edit.first <= edits; });
+        std::erase_if(edited_shapes_, [&](const ShapesEdit& edit) { return edit.edit <= edits; });
         warn_once(warnings);
     }
     if (overrides.empty()) return {std::move(scene), std::move(world)};

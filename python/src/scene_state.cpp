@@ -113,14 +113,19 @@ std::shared_ptr<TextureBox> SceneState::texture(std::uint32_t index) {
 std::shared_ptr<ShapeBox> SceneState::shape(std::uint32_t index) {
     auto& box = shapes_[index];
     if (!box) {
-        const Shape& shape = scene_->shapes[index];
         box = read_shape(*scene_, index);
-        if (shape.material != k_none) box->material = material(shape.material);
-        box->color = scene_->shape_color(index);
-        if (shape.transform != k_none) box->transform = scene_->transforms[shape.transform];
+        read_look(*box, index);
         box->name = scene_->shape_texts.name(index);
     }
     return box;
+}
+
+void SceneState::read_look(ShapeBox& box, std::uint32_t index) {
+    const Shape& shape = scene_->shapes[index];
+    box.material = shape.material == k_none ? nullptr : material(shape.material);
+    box.color = scene_->shape_color(index);
+    box.transform.reset();
+    if (shape.transform != k_none) box.transform = scene_->transforms[shape.transform];
 }
 
 std::uint32_t SceneState::add(const std::shared_ptr<LightBox>& light) {
@@ -242,12 +247,38 @@ void SceneState::remove_shapes(std::vector<std::uint32_t> removed) {
     scene.shape_texts = std::move(texts);
     shapes_ = std::move(objects);
     ++now_.shapes;
+    ++removals_;
 }
 
 Scene& SceneState::change_shapes() {
     sync();
     ++now_.shapes;
     return own();
+}
+
+void SceneState::edit_shapes(std::span<const std::uint32_t> shapes,
+                             const std::function<void(Scene&)>& change) {
+    change(own());
+    if (!shapes_.empty()) {
+        for (const std::uint32_t index : shapes) {
+            const auto object = shapes_.find(index);
+            if (object == shapes_.end()) continue;
+            object->second->read(*scene_, scene_->shapes[index]);
+            read_look(*object->second, index);
+        }
+    }
+    for (std::size_t i = 0; i < shapes.size();) {  // each run of consecutive numbers
+        const std::size_t start = i++;
+        while (i < shapes.size() && shapes[i] == shapes[i - 1] + 1) ++i;
+        record_edit(shapes[start], shapes[i - 1] + 1);
+    }
+}
+
+void SceneState::record_edit(std::uint32_t first, std::uint32_t end) {
+    edited_shapes_.push_back({++edits_, first, end});
+    // So that a loop which renders nothing does not fill the memory.
+    if (edited_shapes_.size() <= scene_->shapes.size() + 1000) return;
+    edited_shapes_.assign(1, {edits_, 0, static_cast<std::uint32_t>(scene_->shapes.size())});
 }
 
 void SceneState::set_background(Color background) {

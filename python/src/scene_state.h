@@ -3,7 +3,9 @@
 // A Scene of Python: glint's Scene, the objects of it that Python refers to, and the World that was prepared
 // of it, so that the next picture prepares only what has changed.
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -83,6 +85,11 @@ class SceneState {
 
     // For changes by arrays: the scene, whose shapes then count as new.
     Scene& change_shapes();
+    /// Changes some shapes in place: change(scene) writes their parameters, materials, colors or transforms,
+    /// and the objects of these shapes take them over. scene() must have been called since Python last ran.
+    void edit_shapes(std::span<const std::uint32_t> shapes, const std::function<void(Scene&)>& change);
+    /// How often shapes were removed, which gives others new numbers.
+    std::uint64_t removals() const { return removals_; }
     void set_background(Color background);
     /// As glint::set_setting().
     void set_setting(const std::string& key, const std::string& value);
@@ -110,6 +117,10 @@ class SceneState {
     /// With the number of its texture, which is added if the scene does not have it.
     Material whole(const MaterialBox& material);
     void write_transform(Shape& shape, const ShapeBox& box);
+    /// What a shape has beside its parameters.
+    void read_look(ShapeBox& box, std::uint32_t index);
+    /// first, end: the shapes' numbers.
+    void record_edit(std::uint32_t first, std::uint32_t end);
 
     std::shared_ptr<Scene> scene_;
     // By index; only those that Python has asked for.
@@ -125,8 +136,14 @@ class SceneState {
     std::shared_ptr<OcclusionBox> occlusion_;
 
     Versions now_;
-    std::uint64_t edits_ = 0;  // of shapes in place, each with its number
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> edited_shapes_;
+    // Edits of shapes in place, each with its number and its range of shapes.
+    struct ShapesEdit {
+        std::uint64_t edit = 0;
+        std::uint32_t first = 0, end = 0;
+    };
+    std::uint64_t edits_ = 0;
+    std::vector<ShapesEdit> edited_shapes_;
+    std::uint64_t removals_ = 0;
 
     bool has_world_ = false;
     World world_;
@@ -139,6 +156,8 @@ class SceneState {
 void bind_scene(py::module_& m);
 /// Its functions that take arrays.
 void bind_arrays(py::class_<SceneState, std::shared_ptr<SceneState>>& cls);
+/// Its functions that change many shapes by arrays.
+void bind_shape_arrays(py::class_<SceneState, std::shared_ptr<SceneState>>& cls);
 /// Its functions that read, render, and question the scene.
 void bind_tools(py::module_& m, py::class_<SceneState, std::shared_ptr<SceneState>>& cls);
 /// Its functions that compare it with another ray tracer's log.

@@ -16,7 +16,7 @@ namespace {
 template <class T> struct ShapeOf : ShapeBox {
     T value;
 
-    void read(const Scene& scene, const Shape& shape) { value = scene.get<T>()[shape.index]; }
+    void read(const Scene& scene, const Shape& shape) override { value = scene.get<T>()[shape.index]; }
     ShapeKind kind() const override { return ShapeKindOf<T>::value; }
     bool is_shape(const Scene& scene, std::uint32_t index) const override {
         const Shape& shape = scene.shapes[index];
@@ -54,7 +54,7 @@ template <class T> struct ShapeOf : ShapeBox {
 template <> struct ShapeOf<Polygon> : ShapeBox {
     std::vector<Vec3> vertices;
 
-    void read(const Scene& scene, const Shape& shape) {
+    void read(const Scene& scene, const Shape& shape) override {
         const Polygon polygon = scene.get<Polygon>()[shape.index];
         const auto first = scene.polygon_vertices.begin() + polygon.first;
         vertices.assign(first, first + polygon.count);

@@ -20,6 +20,8 @@ struct ShapeBox {
 
     virtual ~ShapeBox() = default;
     virtual ShapeKind kind() const = 0;
+    /// Takes the parameters of a shape of the same kind.
+    virtual void read(const Scene& scene, const Shape& shape) = 0;
     /// Whether the parameters are those of shape number `index` of the scene.
     virtual bool is_shape(const Scene& scene, std::uint32_t index) const = 0;
     /// Makes them those of shape number `index`, which may be of another kind.

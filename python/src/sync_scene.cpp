@@ -97,7 +97,7 @@ void SceneState::sync_shapes() {
         scene.shapes[index].material = material;
         scene.set_shape_color(index, box->color);
         write_transform(scene.shapes[index], *box);
-        edited_shapes_.emplace_back(++edits_, index);
+        record_edit(index, index + 1);
     }
     forget_unused(shapes_);
 }
