@@ -125,6 +125,16 @@ int main(int argc, char** argv) {
         move(one[0], i);
         edit(world, one);
     });
+    measure("splice_shapes(), 1 shape put in", 21, [&](int) {
+        one[0] = scene.add(glint::Sphere{{0.1, 0.2, 0.3}, 0.001});
+        if (!glint::splice_shapes(world, scene, {}, one, options)) fail("splice_shapes()");
+    });
+    measure("splice_shapes(), 1 shape taken out", 21, [&](int) {
+        one[0] = count / 2;
+        scene.shapes.erase(scene.shapes.begin() + one[0]);
+        if (!glint::splice_shapes(world, scene, one, {}, options)) fail("splice_shapes()");
+    });
+    one[0] = 1;
     // Each edit is of another copy of a World that is never edited itself.
     scene = make_scene(count);
     const glint::World base = made(glint::prepare(scene, options), "prepare()");

@@ -87,9 +87,10 @@ GLINT_API Result<World> with_shape_colors(const World& world, std::span<const Sh
 /// or k_none.
 GLINT_API Status assign_material(World& world, std::span<const std::uint32_t> shapes, std::uint32_t material);
 
-/// What edit_shapes() did to the hierarchy. none: nothing, because no shape was given. refitted: updated the
-/// boxes of its nodes. rebuilt: built a new one.
-enum class ShapeEdit : std::uint8_t { none, refitted, rebuilt };
+/// What edit_shapes() or splice_shapes() did to the hierarchy. none: nothing, because no shape was given.
+/// refitted: updated the boxes of its nodes. rebuilt: built a new one. spliced: put shapes in and took others
+/// out.
+enum class ShapeEdit : std::uint8_t { none, refitted, rebuilt, spliced };
 
 /// Updates the parameters, transforms, materials and colors of shapes from `scene`. changed: their indices
 /// in Scene::shapes. All other shapes must be those of the World; other parts of the scene are not read. The
@@ -102,6 +103,17 @@ GLINT_API Result<ShapeEdit> edit_shapes(World& world, const Scene& scene,
                                         std::span<const std::uint32_t> changed,
                                         const PrepareOptions& options = {});
 inline constexpr double k_max_refit_cost = 1.5;
+
+/// Takes shapes out of the World and puts others in. removed: their indices in Scene::shapes before; added:
+/// in `scene`. All other shapes must be those of the World, in the same order, and keep their materials;
+/// other parts of the scene are not read. The packed shapes are copied, and few leaves of the hierarchy
+/// change. It is rebuilt, and all shapes are taken from the scene, if more than 1 of 8 shapes change; for
+/// polygons and meshes that are put in; and as by edit_shapes() if the expected cost becomes too high.
+/// Pictures have the same bits either way. An error if the numbers of shapes do not fit.
+GLINT_API Result<ShapeEdit> splice_shapes(World& world, const Scene& scene,
+                                          std::span<const std::uint32_t> removed,
+                                          std::span<const std::uint32_t> added,
+                                          const PrepareOptions& options = {});
 
 /// Points origin + t direction for t_min < t < t_max.
 struct Ray {

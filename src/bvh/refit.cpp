@@ -11,21 +11,6 @@ namespace {
 
 constexpr std::size_t k_nodes_a_task = 256;
 
-double half_area(const Aabb& b) {
-    if (b.empty()) return 0;
-    const double x = static_cast<double>(b.hi[0]) - b.lo[0], y = static_cast<double>(b.hi[1]) - b.lo[1],
-                 z = static_cast<double>(b.hi[2]) - b.lo[2];
-    return x * y + y * z + z * x;
-}
-
-Aabb child_box(const BvhNode& node, int c) {
-    return {{node.lo[0][c], node.lo[1][c], node.lo[2][c]}, {node.hi[0][c], node.hi[1][c], node.hi[2][c]}};
-}
-
-void set_child_box(BvhNode& node, int c, const Aabb& box) {
-    for (int a = 0; a < 3; ++a) node.lo[a][c] = box.lo[a], node.hi[a][c] = box.hi[a];
-}
-
 // Unused children have empty boxes.
 Aabb node_box(const BvhNode& node) {
     Aabb box;
@@ -48,6 +33,32 @@ template <class Visit> void for_nodes(std::size_t count, int threads, const Visi
 }
 
 }  // namespace
+
+double half_area(const Aabb& b) {
+    if (b.empty()) return 0;
+    const double x = static_cast<double>(b.hi[0]) - b.lo[0], y = static_cast<double>(b.hi[1]) - b.lo[1],
+                 z = static_cast<double>(b.hi[2]) - b.lo[2];
+    return x * y + y * z + z * x;
+}
+
+Aabb child_box(const BvhNode& node, int c) {
+    return {{node.lo[0][c], node.lo[1][c], node.lo[2][c]}, {node.hi[0][c], node.hi[1][c], node.hi[2][c]}};
+}
+
+void set_child_box(BvhNode& node, int c, const Aabb& box) {
+    for (int a = 0; a < 3; ++a) node.lo[a][c] = box.lo[a], node.hi[a][c] = box.hi[a];
+}
+
+std::vector<std::uint32_t> find_parents(const Bvh& bvh) {
+    std::vector<std::uint32_t> parents(bvh.nodes.size());
+    for (std::uint32_t n = 0; n < bvh.nodes.size(); ++n) {
+        for (std::uint32_t c = 0; c < k_bvh_width; ++c) {
+            const BvhChild child = bvh.nodes[n].child[c];
+            if (!child.is_none() && !child.is_leaf()) parents[child.index()] = n * k_bvh_width + c;
+        }
+    }
+    return parents;
+}
 
 BvhLinks find_links(const Bvh& bvh, std::uint32_t items) {
     BvhLinks links;
@@ -76,6 +87,19 @@ BvhCost find_cost(const Bvh& bvh) {
     }
     cost.root = half_area(bvh.bounds);
     return cost;
+}
+
+void refit_child(Bvh& bvh, std::span<const std::uint32_t> parent, std::uint32_t number, const Aabb& box) {
+    for (Aabb next = box;;) {
+        const std::uint32_t at = number / k_bvh_width;
+        set_child_box(bvh.nodes[at], static_cast<int>(number % k_bvh_width), next);
+        next = node_box(bvh.nodes[at]);
+        if (at == 0) {
+            bvh.bounds = next;
+            return;
+        }
+        number = parent[at];
+    }
 }
 
 void refit_item(Bvh& bvh, const BvhLinks& links, std::uint32_t item, const LeafBounds& bounds,

@@ -62,8 +62,8 @@ class ShapeEditor {
         const bool many = changed_.size() + primitives_.size() > geometry.count / k_many;
         many ? write_many(geometry, rows) : write_few(geometry, rows);
         edit = ShapeEdit::refitted;
-        const double built = geometry.edit_index->built_cost.expected();
-        if (geometry.cost.expected() > k_max_refit_cost * built) return rebuild(edit);
+        if (geometry.cost.expected() > k_max_refit_cost * geometry.expected_built_cost())
+            return rebuild(edit);
         if (options_.progress) options_.progress(1);
         return {};
     }

@@ -108,6 +108,61 @@ TEST(Misuse, OfAssignMaterial) {
     EXPECT_EQ(assign_material(empty, first, k_none).code, ErrorCode::invalid_argument);
 }
 
+TEST(Misuse, OfSpliceShapes) {
+    Scene scene = some_scene();
+    while (scene.shapes.size() < 40) scene.add(Sphere{{0, 0, -30}, 1});
+    const World original = world_of(scene);
+    const Image before = render(original).value().image;
+    using Shapes = std::vector<std::uint32_t>;
+    const auto refused = [&](ErrorCode code, const std::function<void(Scene&)>& edit, const Shapes& removed,
+                             const Shapes& added, const char* what) {
+        Scene edited = scene;
+        edit(edited);
+        World world = original;
+        const Result<ShapeEdit> result = splice_shapes(world, edited, removed, added);
+        EXPECT_EQ(result.code, code) << what;
+        EXPECT_NE(result.message, "") << what;
+        EXPECT_EQ(render(world).value().image.rgb, before.rgb) << what;
+    };
+    const auto nothing = [](Scene&) {};
+    const auto one_less = [](Scene& s) { s.shapes.pop_back(); };
+    for (const std::uint32_t shape : {40u, 1000000u, k_none}) {
+        refused(ErrorCode::invalid_argument, one_less, {shape}, {}, "no such shape of the World");
+        refused(ErrorCode::invalid_scene, nothing, {1}, {shape}, "no such shape of the scene");
+    }
+    refused(ErrorCode::invalid_argument, nothing, {1}, {}, "too many shapes");
+    refused(ErrorCode::invalid_argument, one_less, {}, {}, "too few shapes");
+    refused(ErrorCode::invalid_argument, one_less, {1, 1, 2}, {}, "two removed, one missing");
+    refused(
+        ErrorCode::invalid_argument, [](Scene& s) { s.shapes.clear(); }, {}, {}, "an empty scene");
+    refused(
+        ErrorCode::invalid_scene, [](Scene& s) { s.shapes[1].kind = beyond<ShapeKind>(); }, {1}, {1}, "kind");
+    refused(
+        ErrorCode::invalid_scene, [](Scene& s) { s.shapes[1].index = 99; }, {1}, {1}, "parameters");
+    refused(
+        ErrorCode::invalid_scene, [](Scene& s) { s.shapes[1].material = 2; }, {1}, {1}, "material");
+    refused(
+        ErrorCode::invalid_scene, [](Scene& s) { s.shapes[1].transform = 9; }, {1}, {1}, "transform");
+    refused(
+        ErrorCode::invalid_scene, [](Scene& s) { s.get<Sphere>()[0].radius = k_nan; }, {1}, {1}, "radius");
+    refused(
+        ErrorCode::invalid_scene,
+        [](Scene& s) {
+            s.add(Polygon{0, 3});
+        },
+        {}, {40}, "no vertices");
+    refused(
+        ErrorCode::invalid_scene, [](Scene& s) { s.add(Mesh{7}); }, {}, {40}, "no mesh");
+    World world = original;
+    EXPECT_EQ(splice_shapes(world, scene, {}, {}).value(), ShapeEdit::none);
+    for (const int threads : {-1, std::numeric_limits<int>::min(), 2000})
+        EXPECT_EQ(splice_shapes(world, scene, Shapes{3, 3}, Shapes{3}, {.threads = threads}).value(),
+                  ShapeEdit::spliced);
+    World empty;
+    EXPECT_EQ(splice_shapes(empty, scene, Shapes{0}, {}).code, ErrorCode::invalid_argument);
+    EXPECT_EQ(splice_shapes(empty, Scene(), {}, {}).value(), ShapeEdit::none);
+}
+
 TEST(Misuse, OfEditShapes) {
     const Scene scene = some_scene();
     World world = world_of(scene);

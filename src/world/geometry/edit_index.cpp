@@ -7,6 +7,11 @@
 
 namespace glint {
 
+double PackedGeometry::expected_built_cost() const {
+    if (built_cost > 0) return built_cost;
+    return edit_index ? edit_index->built_cost.expected() : find_cost(bvh).expected();
+}
+
 EditIndex make_edit_index(const PackedGeometry& geometry) {
     EditIndex index;
     resize_in_huge_pages(index.first, std::size_t{geometry.scene_shapes} + 1);

@@ -18,7 +18,7 @@ struct EditIndex {
         first;  // by shape: the position of its first entry in `slots`; one more at the end
     std::vector<std::uint32_t> slots;  // sorted by shape, then by element
     BvhLinks links;
-    BvhCost built_cost;  // when the hierarchy was built
+    BvhCost built_cost;  // when the hierarchy was built or spliced
 
     std::span<const std::uint32_t> slots_of(std::uint32_t shape) const {
         return std::span(slots).subspan(first[shape], first[shape + 1] - first[shape]);

@@ -104,7 +104,7 @@ class Packer {
         for (int rank = 0; rank < 3; ++rank) {
             for (std::size_t c = 0; c < count.size(); ++c) {
                 const ClassTraits& traits = class_traits()[c];
-                if (2 - traits.bounded - traits.stores_box != rank || count[c] == 0) continue;
+                if (layout_rank(traits) != rank || count[c] == 0) continue;
                 ShapeClass packed;
                 packed.kind = static_cast<ShapeKind>(c / 2);
                 packed.transformed = c % 2 == 1;

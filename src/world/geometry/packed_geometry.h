@@ -60,8 +60,11 @@ struct PackedGeometry {
     bool has_cones = false;                   // the scene has cones, packed or omitted by the conventions
     std::shared_ptr<SharedEditIndex> shared_index;  // of this geometry and its copies
     std::shared_ptr<const EditIndex> edit_index;    // set by the first edit
-    BvhCost cost;  // of the current hierarchy; kept up to date once there is an edit_index
+    BvhCost cost;           // of the current hierarchy; kept up to date once there is an edit_index
+    double built_cost = 0;  // expected(), when it was built, of a hierarchy that was spliced since; else 0
 
+    /// The expected cost when the hierarchy was built.
+    double expected_built_cost() const;
     /// Sets `meshes`.
     void set_meshes(PackedMeshes packed);
     /// Whether a shape may have several elements.

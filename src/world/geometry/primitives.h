@@ -32,6 +32,8 @@ struct ClassTraits {
     bool stores_box = true;  // else it is computed
     bool bakes_transform = false;
 };
+/// The packer's order of classes: those that store their boxes, those with computed ones, unbounded ones.
+inline int layout_rank(const ClassTraits& traits) { return 2 - traits.bounded - traits.stores_box; }
 using AllClassTraits = std::array<ClassTraits, k_primitive_classes>;
 const AllClassTraits& class_traits();
 
