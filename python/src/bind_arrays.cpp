@@ -35,7 +35,7 @@ py::object add_shapes(SceneState& state, std::size_t count, const py::object& co
                       const py::object& material, const Make& make) {
     if (count + state.scene().shapes.size() >= k_none) throw py::value_error("too many shapes");
     const Look look = add_look(state, colors, material, count);
-    Scene& scene = state.change_shapes();
+    Scene& scene = state.add_shapes(count);
     auto& parameters = scene.get<T>();
     const std::size_t first = scene.shapes.size(), start = parameters.size();
     parameters.resize(start + count);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The World of a SceneState: only what has changed is prepared anew.
 #include <algorithm>
+#include <numeric>
+#include <optional>
 
 #include "errors.h"
 #include "scene_state.h"
@@ -8,10 +10,11 @@
 namespace glint::python {
 namespace {
 
-// Replaces in the World what differs between two versions of its scene. `shapes`: those that were edited.
+// Replaces in the World what differs between two versions of its scene. `change`: of the list of shapes;
+// `shapes`: those that were edited.
 Status update(World& world, const Versions& old, const Versions& now, const Scene& scene,
-              const std::vector<std::uint32_t>& shapes, const PrepareOptions& options,
-              std::vector<Diagnostic>& warnings) {
+              const ShapeHistory::Change& change, const std::vector<std::uint32_t>& shapes,
+              const PrepareOptions& options, std::vector<Diagnostic>& warnings) {
     Status failed;
     const auto take = [&](Result<World> result) {
         if (result) {
@@ -30,6 +33,12 @@ Status update(World& world, const Versions& old, const Versions& now, const Scen
     if (old.gradient != now.gradient && !take(with_gradient(world, scene.gradient))) return failed;
     if (old.occlusion != now.occlusion && !take(with_occlusion(world, scene.occlusion))) return failed;
     if (old.rules != now.rules && !take(with_rules(world, scene.conventions, scene.settings))) return failed;
+    if (!change.removed.empty() || change.added != 0) {
+        std::vector<std::uint32_t> added(change.added);
+        std::iota(added.begin(), added.end(), static_cast<std::uint32_t>(scene.shapes.size() - change.added));
+        const Result<ShapeEdit> spliced = splice_shapes(world, scene, change.removed, added, options);
+        if (!spliced) return spliced;
+    }
     if (!shapes.empty()) return edit_shapes(world, scene, shapes, options);
     return {};
 }
@@ -67,7 +76,9 @@ Snapshot SceneState::prepare(const SettingList& overrides, const py::object& pro
     };
     World world = world_;
     if (!has_world_ || !is_same(now, old) || !shapes.empty()) {
-        const bool has_world = has_world_ && old.shapes == now.shapes && old.textures == now.textures;
+        const std::optional<ShapeHistory::Change> change = history_.since(old.shapes, world_shapes_);
+        const bool has_world = has_world_ && change && old.textures == now.textures;
+        history_.seal();
         // Without a second owner shapes are edited in place.
         has_world_ = false;
         world_ = {};
@@ -75,7 +86,7 @@ Snapshot SceneState::prepare(const SettingList& overrides, const py::object& pro
         const Status status = run(progress, [&](Running& running) -> Status {
             const PrepareOptions options{threads, running.report(), &running.cancel};
             if (has_world) {
-                const Status updated = update(world, old, now, *scene, shapes, options, warnings);
+                const Status updated = update(world, old, now, *scene, *change, shapes, options, warnings);
                 if (updated || updated.code == ErrorCode::cancelled) return updated;
             }
             // Also after a failed update: the messages then say where in the text the item is, and rules
@@ -91,9 +102,11 @@ Snapshot SceneState::prepare(const SettingList& overrides, const py::object& pro
             return {std::move(scene), std::move(world)};  // the next call has them
         world_ = world;
         world_versions_ = now;
+        world_shapes_ = scene->shapes.size();
         world_edits_ = edits;
         has_world_ = true;
         std::erase_if(edited_shapes_, [&](const ShapesEdit& edit) { return edit.edit <= edits; });
+        history_.forget(now.shapes, scene_->shapes.size());
         warn_once(warnings);
     }
     if (overrides.empty()) return {std::move(scene), std::move(world)};

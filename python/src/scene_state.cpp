@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene_state.h"
 
-#include <algorithm>
-
 #include "base/text.h"
 #include "errors.h"
 
@@ -29,11 +27,13 @@ SceneState::SceneState() { reset(Scene{}); }
 void SceneState::copy_from(SceneState& other) {
     reset(other.scene());
     now_ = other.now_;
+    history_ = other.history_;
     warned_ = other.warned_;
     edits_ = other.edits_;
     edited_shapes_ = other.edited_shapes_;
     has_world_ = other.has_world_;
     world_ = other.world_;
+    world_shapes_ = other.world_shapes_;
     world_versions_ = other.world_versions_;
     world_edits_ = other.world_edits_;
 }
@@ -110,24 +110,6 @@ std::shared_ptr<TextureBox> SceneState::texture(std::uint32_t index) {
     return texture;
 }
 
-std::shared_ptr<ShapeBox> SceneState::shape(std::uint32_t index) {
-    auto& box = shapes_[index];
-    if (!box) {
-        box = read_shape(*scene_, index);
-        read_look(*box, index);
-        box->name = scene_->shape_texts.name(index);
-    }
-    return box;
-}
-
-void SceneState::read_look(ShapeBox& box, std::uint32_t index) {
-    const Shape& shape = scene_->shapes[index];
-    box.material = shape.material == k_none ? nullptr : material(shape.material);
-    box.color = scene_->shape_color(index);
-    box.transform.reset();
-    if (shape.transform != k_none) box.transform = scene_->transforms[shape.transform];
-}
-
 std::uint32_t SceneState::add(const std::shared_ptr<LightBox>& light) {
     sync_lights();
     Scene& scene = own();
@@ -178,20 +160,6 @@ Material SceneState::whole(const MaterialBox& material) {
     return value;
 }
 
-std::uint32_t SceneState::add(const std::shared_ptr<ShapeBox>& shape) {
-    const std::uint32_t material = index_of(shape->material);
-    Scene& scene = own();
-    shape->append(scene);
-    const auto index = static_cast<std::uint32_t>(scene.shapes.size() - 1);
-    scene.shapes[index].material = material;
-    scene.set_shape_color(index, shape->color);
-    write_transform(scene.shapes[index], *shape);
-    set_name(scene.shape_texts, index, shape->name);
-    shapes_[index] = shape;
-    ++now_.shapes;
-    return index;
-}
-
 void SceneState::set_lights(const std::vector<std::shared_ptr<LightBox>>& lights) {
     Scene& scene = own();
     std::vector<SourcePlace> places;
@@ -219,66 +187,6 @@ void SceneState::set_material(std::uint32_t index, const std::shared_ptr<Materia
     if (known != materials_.end()) material_indices_.erase(known->second.get());
     materials_[index] = material;
     material_indices_[material.get()] = index;
-}
-
-void SceneState::set_shape(std::uint32_t index, const std::shared_ptr<ShapeBox>& shape) {
-    shapes_[index] = shape;
-}
-
-void SceneState::remove_shapes(std::vector<std::uint32_t> removed) {
-    sync();
-    std::sort(removed.begin(), removed.end());
-    Scene& scene = own();
-    std::vector<Shape> shapes;
-    std::vector<ShapeColor> colors;
-    std::unordered_map<std::uint32_t, std::shared_ptr<ShapeBox>> objects;
-    ItemTexts texts;
-    for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
-        if (std::binary_search(removed.begin(), removed.end(), i)) continue;
-        const auto to = static_cast<std::uint32_t>(shapes.size());
-        if (const auto object = shapes_.find(i); object != shapes_.end()) objects[to] = object->second;
-        set_name(texts, to, std::string(scene.shape_texts.name(i)));
-        if (!scene.shape_texts.places.empty()) texts.places.push_back(scene.shape_texts.place(i));
-        if (i < scene.shape_colors.size()) colors.push_back(scene.shape_colors[i]);
-        shapes.push_back(scene.shapes[i]);
-    }
-    scene.shapes = std::move(shapes);
-    scene.shape_colors = std::move(colors);
-    scene.shape_texts = std::move(texts);
-    shapes_ = std::move(objects);
-    ++now_.shapes;
-    ++removals_;
-}
-
-Scene& SceneState::change_shapes() {
-    sync();
-    ++now_.shapes;
-    return own();
-}
-
-void SceneState::edit_shapes(std::span<const std::uint32_t> shapes,
-                             const std::function<void(Scene&)>& change) {
-    change(own());
-    if (!shapes_.empty()) {
-        for (const std::uint32_t index : shapes) {
-            const auto object = shapes_.find(index);
-            if (object == shapes_.end()) continue;
-            object->second->read(*scene_, scene_->shapes[index]);
-            read_look(*object->second, index);
-        }
-    }
-    for (std::size_t i = 0; i < shapes.size();) {  // each run of consecutive numbers
-        const std::size_t start = i++;
-        while (i < shapes.size() && shapes[i] == shapes[i - 1] + 1) ++i;
-        record_edit(shapes[start], shapes[i - 1] + 1);
-    }
-}
-
-void SceneState::record_edit(std::uint32_t first, std::uint32_t end) {
-    edited_shapes_.push_back({++edits_, first, end});
-    // So that a loop which renders nothing does not fill the memory.
-    if (edited_shapes_.size() <= scene_->shapes.size() + 1000) return;
-    edited_shapes_.assign(1, {edits_, 0, static_cast<std::uint32_t>(scene_->shapes.size())});
 }
 
 void SceneState::set_background(Color background) {

@@ -14,6 +14,7 @@
 #include "glint/glint.h"
 #include "items.h"
 #include "run.h"
+#include "shape_history.h"
 #include "shapes.h"
 
 namespace glint::python {
@@ -83,8 +84,8 @@ class SceneState {
     void set_shape(std::uint32_t index, const std::shared_ptr<ShapeBox>& shape);
     void remove_shapes(std::vector<std::uint32_t> shapes);
 
-    // For changes by arrays: the scene, whose shapes then count as new.
-    Scene& change_shapes();
+    // For changes by arrays: the scene, to whose end so many shapes are then added.
+    Scene& add_shapes(std::size_t count);
     /// Changes some shapes in place: change(scene) writes their parameters, materials, colors or transforms,
     /// and the objects of these shapes take them over. scene() must have been called since Python last ran.
     void edit_shapes(std::span<const std::uint32_t> shapes, const std::function<void(Scene&)>& change);
@@ -121,6 +122,8 @@ class SceneState {
     void read_look(ShapeBox& box, std::uint32_t index);
     /// first, end: the shapes' numbers.
     void record_edit(std::uint32_t first, std::uint32_t end);
+    void record_added(std::size_t count);
+    void record_removed(std::vector<std::uint32_t> numbers);
 
     std::shared_ptr<Scene> scene_;
     // By index; only those that Python has asked for.
@@ -145,8 +148,11 @@ class SceneState {
     std::vector<ShapesEdit> edited_shapes_;
     std::uint64_t removals_ = 0;
 
+    ShapeHistory history_;  // its version is now_.shapes
+
     bool has_world_ = false;
     World world_;
+    std::size_t world_shapes_ = 0;
     Versions world_versions_;
     std::uint64_t world_edits_ = 0;
     std::vector<std::string> warned_;
