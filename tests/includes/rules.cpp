@@ -73,7 +73,7 @@ const std::vector<Module>& modules() {
     static const std::vector<Module> list = {
         {"base", {}, {"oneapi/tbb/", "fmt/", "immintrin.h", "sys/mman.h"}},
         {"math", {"base"}, {}},
-        {"simd", {"base", "math"}, {"hwy/", "cpuid.h"}},
+        {"simd", {"base", "math"}, {"hwy/", "cpuid.h", "wasm_simd128.h"}},
         {"geometry", {"base", "math", "simd"}, {}},
         {"lighting", {"base", "math", "simd"}, {}},
         {"bvh", {"base", "math", "simd"}, {}},
