@@ -119,7 +119,7 @@ struct ExplainedTexture {
     double u = 0, v = 0;             ///< of the surface, after Texture::uv_map
     /// The texels that are mixed: two columns, counted from the left from 0, and two rows, from the top. With
     /// TextureFilter::nearest, the second ones are the first; beside the picture, with TextureWrap::clip, all
-    /// are -1.
+    /// are -1. With a Texture::color_map, columns are its colors, from 0, and there is one row.
     int column = 0, next_column = 0, row = 0, next_row = 0;
     double next_column_weight = 0, next_row_weight = 0;  ///< the first ones have 1 minus these
     Color color;                                         ///< decoded and mixed

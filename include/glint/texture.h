@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// Pictures on surfaces: what a Texture is, and the pixels that it shows.
+// Pictures and patterns on surfaces: what a Texture is, and the pixels or colors that it shows.
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -55,7 +55,35 @@ enum class TextureAlpha : std::uint8_t { blend, mask, ignore };
 /// (Texture::world_from_texture). planar: u = p.x, v = p.y. spherical: u goes around the y axis, v from the
 /// pole at -y to that at +y. cylindrical: u goes around the y axis, v = p.y. Around the axis, u = 0.5 is at
 /// +z, 0.75 at +x.
-enum class TextureMapping : std::uint8_t { uv, planar, spherical, cylindrical };
+///
+/// The patterns have a u at each point of space, and v = 0. checker: cubes of side 1, u = 0 and 0.5 in turn;
+/// a point less than k_checker_margin below a border is above it, so that a surface on a border has one
+/// color. onion: u = |p|. rings: u is the distance from the y axis. boxes: u = max(|p.x|, |p.y|, |p.z|).
+/// slabs: u = |p.x|. leopard: u = ((sin p.x + sin p.y + sin p.z) / 3)^2.
+enum class TextureMapping : std::uint8_t {
+    uv,
+    planar,
+    spherical,
+    cylindrical,
+    checker,
+    onion,
+    rings,
+    boxes,
+    slabs,
+    leopard
+};
+
+inline constexpr double k_checker_margin = 1e-10;
+
+/// A color at a place of Texture::color_map.
+struct TextureColor {
+    double at = 0;  ///< u, 0 to 1
+    Color color{0, 0, 0};
+    double alpha = 1;  ///< 0 to 1
+    friend bool operator==(const TextureColor&, const TextureColor&) = default;
+};
+/// The greatest number of colors in a Texture::color_map.
+inline constexpr std::size_t k_max_texture_colors = 256;
 
 /// An affine map of u and v, as rows.
 struct UvMap {
@@ -63,10 +91,14 @@ struct UvMap {
     friend bool operator==(const UvMap&, const UvMap&) = default;
 };
 
-/// A picture on a surface (Material::texture). u goes to the right and v up; (0, 0) is the lower left corner
-/// of the picture, (1, 1) its upper right corner.
+/// A picture or a map of colors on a surface (Material::texture). u goes to the right and v up; (0, 0) is the
+/// lower left corner of the picture, (1, 1) its upper right corner.
 struct Texture {
-    std::shared_ptr<const TextureImage> image;
+    std::shared_ptr<const TextureImage> image;  ///< null with a color_map
+    /// In place of an image, 1 to k_max_texture_colors colors by u, in the order of `at`. filter: bilinear:
+    /// between the two colors beside u; nearest: the last color whose `at` is not above u. Before the first
+    /// and after the last place it is the first and the last color.
+    std::vector<TextureColor> color_map{};
     TextureMapping mapping = TextureMapping::uv;
     TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
     TextureFilter filter = TextureFilter::bilinear;
@@ -82,7 +114,10 @@ struct Texture {
     bool has_wrap(TextureWrap wrap) const { return wrap_u == wrap || wrap_v == wrap; }
     /// Whether surfaces may be transparent where it is.
     bool has_alpha() const {
-        return alpha != TextureAlpha::ignore && image && (image->has_alpha || has_wrap(TextureWrap::clip));
+        if (alpha == TextureAlpha::ignore) return false;
+        for (const TextureColor& color : color_map)
+            if (color.alpha < 1) return true;
+        return has_wrap(TextureWrap::clip) || (image && image->has_alpha);
     }
     /// Whether there are places where surfaces have holes.
     bool has_holes() const { return alpha == TextureAlpha::mask && has_alpha(); }

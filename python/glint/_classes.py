@@ -18,7 +18,7 @@ _POSITIONAL: Dict[Any, Tuple[str, ...]] = {
     _glint.Fog: ("kind",),
     _glint.Occlusion: ("method",),
     _glint.BackgroundGradient: ("kind",),
-    _glint.Texture: ("image",),
+    _glint.Texture: ("image", "color_map"),
     _glint.Material: (),
     _glint.Camera: (),
     _glint.CameraFrame: (),
@@ -28,7 +28,7 @@ _SHAPES = (
     _glint.Sphere, _glint.Plane, _glint.Cylinder, _glint.Cone, _glint.Disc, _glint.Box, _glint.Triangle,
     _glint.SmoothTriangle, _glint.Polygon, _glint.Mesh,
 )  # fmt: skip
-_REQUIRED = {_glint.Texture: ("image",), _glint.Polygon: ("vertices",), _glint.Mesh: ("vertices", "triangles")}
+_REQUIRED = {_glint.Polygon: ("vertices",), _glint.Mesh: ("vertices", "triangles")}
 # Types that the extension module converts without a message of its own.
 _TYPES: Dict[str, Any] = {
     "name": str,
@@ -72,7 +72,7 @@ def _default(cls: Any, usual: Any, name: str) -> Any:
         return inspect.Parameter.empty
     if cls is _glint.Light and name == "specular_color":
         return _Shown("<color>")
-    if cls is _glint.Mesh or name in ("world_from_texture", "transform"):
+    if cls is _glint.Mesh or name in ("image", "world_from_texture", "transform"):
         return "" if name == "name" else None
     value = getattr(usual, name)
     if cls is _glint.Material and isinstance(value, tuple) and name != "color":
@@ -192,7 +192,8 @@ def _state(cls: Any, item: Any) -> Tuple[Tuple[Any, ...], Dict[str, Any]]:
         return (values, common) if is_whole else ((_text_of(item),), common)
     fields = {name: getattr(item, name) for name in _fields(cls) if name != "intensity"}
     fields.update(common)
-    values = tuple(fields.pop(name) for name in _REQUIRED.get(cls, ()))
+    first = _POSITIONAL[cls] if cls is _glint.Texture else _REQUIRED.get(cls, ())
+    values = tuple(fields.pop(name) for name in first)
     return values, fields
 
 

@@ -71,6 +71,10 @@ class _ImageField:
     def __get__(self, owner: object, kind: Optional[type] = ...) -> npt.NDArray[Any]: ...
     def __set__(self, owner: object, value: Any) -> None: ...
 
+class _ColorMapField:
+    def __get__(self, owner: object, kind: Optional[type] = ...) -> Optional[List[Tuple[Any, ...]]]: ...
+    def __set__(self, owner: object, value: Any) -> None: ...
+
 class Diagnostic:
     @property
     def severity(self) -> Severity: ...
@@ -148,7 +152,8 @@ class Light:
 class Texture:
     def __init__(
         self,
-        image: Any,
+        image: Any = ...,
+        color_map: Any = ...,
         *,
         name: str = ...,
         mapping: TextureMapping = ...,
@@ -165,6 +170,7 @@ class Texture:
     name: str
     file: str
     image: _ImageField
+    color_map: _ColorMapField
     mapping: TextureMapping
     wrap_u: TextureWrap
     wrap_v: TextureWrap

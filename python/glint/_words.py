@@ -16,7 +16,9 @@ Projection = Literal["perspective", "orthographic"]
 FovAxis = Literal["x", "y"]
 OcclusionMethod = Literal["hashed", "fixed"]
 GradientKind = Literal["sphere", "plane"]
-TextureMapping = Literal["uv", "planar", "spherical", "cylindrical"]
+TextureMapping = Literal[
+    "uv", "planar", "spherical", "cylindrical", "checker", "onion", "rings", "boxes", "slabs", "leopard"
+]  # fmt: skip
 TextureWrap = Literal["repeat", "mirror", "clamp", "once", "clip"]
 TextureFilter = Literal["nearest", "bilinear"]
 TextureMix = Literal["multiply", "replace", "multiply_all"]

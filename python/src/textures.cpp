@@ -6,6 +6,7 @@
 #include "image/texture_image.h"
 #include "item_fields.h"
 #include "scene/texture_fields.h"
+#include "scene/validate_texture.h"
 
 namespace glint::python {
 
@@ -95,6 +96,7 @@ void set_image(TextureBox& texture, const py::object& value) {
     Picture picture = to_picture(value);
     texture.value.image = std::move(picture.image);
     texture.value.file = std::move(picture.file);
+    texture.value.color_map.clear();
 }
 
 // A read-only view, which keeps the image alive.
@@ -113,14 +115,62 @@ py::object texels_of(const TextureBox& texture) {
         image->words);
 }
 
+// (place, color) or (place, color, alpha).
+TextureColor to_map_color(const py::handle& value, std::size_t number) {
+    const std::string name = fmt::format("color_map: color {}", number + 1);
+    if (!py::isinstance<py::sequence>(value) || py::isinstance<py::str>(value) || py::len(value) < 2 ||
+        py::len(value) > 3)
+        throw py::value_error(fmt::format("{}: expected (place, color) or (place, color, alpha), found {}",
+                                          name, repr_of(value)));
+    const auto parts = value.cast<py::sequence>();
+    TextureColor color{to_number(parts[0], name + ": place", k_fraction),
+                       to_color(parts[1], name, k_channel)};
+    if (parts.size() == 3) color.alpha = to_number(parts[2], name + ": alpha", k_fraction);
+    return color;
+}
+
+void set_color_map(TextureBox& texture, const py::handle& value) {
+    Texture made = texture.value;
+    made.color_map.clear();
+    if (!value.is_none())
+        for (const py::handle& color : value)
+            made.color_map.push_back(to_map_color(color, made.color_map.size()));
+    if (made.color_map.empty() && !made.image)
+        throw py::value_error("color_map: expected colors, as the texture has no image");
+    if (!made.color_map.empty()) {
+        made.image = nullptr;
+        made.file.clear();
+        if (const std::string mistake = mistake_in(made); !mistake.empty()) throw py::value_error(mistake);
+    }
+    texture.value = std::move(made);
+}
+
+py::object color_map_of(const TextureBox& texture) {
+    if (texture.value.color_map.empty()) return py::none();
+    py::list colors;
+    for (const TextureColor& c : texture.value.color_map) {
+        const py::tuple color(to_python(c.color));
+        colors.append(c.alpha == 1 ? py::make_tuple(c.at, color) : py::make_tuple(c.at, color, c.alpha));
+    }
+    return colors;
+}
+
 void set_map(TextureBox& texture, const py::handle& matrix) {
     texture.value.world_from_texture = matrix.is_none() ? Affine{} : to_affine(matrix, "world_from_texture");
 }
 
-std::shared_ptr<TextureBox> make_texture(const py::object& image, const py::kwargs& keywords) {
+std::shared_ptr<TextureBox> make_texture(const py::object& image, const py::object& colors,
+                                         const py::kwargs& keywords) {
     static constexpr std::string_view others[] = {"world_from_texture", "name"};
     auto texture = std::make_shared<TextureBox>();
-    set_image(*texture, image);
+    if (image.is_none() == colors.is_none())
+        throw py::type_error("Texture: expected an image or a color_map, found " +
+                             std::string(colors.is_none() ? "None" : "both"));
+    if (colors.is_none()) {
+        set_image(*texture, image);
+    } else {
+        set_color_map(*texture, colors);
+    }
     set_fields(texture->value, keywords, "Texture", others);
     if (keywords.contains("world_from_texture")) set_map(*texture, keywords["world_from_texture"]);
     texture->name = name_in(keywords);
@@ -133,6 +183,7 @@ std::string describe(const TextureBox& texture) {
     if (value.image)
         text = fmt::format("Texture(<{} x {} texels{}>", value.image->width, value.image->height,
                            value.image->has_alpha ? " with alpha" : "");
+    if (!value.color_map.empty()) text = "Texture(color_map=" + repr_of(color_map_of(texture));
     if (const std::string fields = changed_fields(value, Texture{}, texture.name); !fields.empty())
         text += ", " + fields;
     if (!(value.world_from_texture == Affine{}))
@@ -144,6 +195,7 @@ std::string describe(const TextureBox& texture) {
 
 bool same(const Texture& a, const Texture& b) {
     if (!same_fields(a, b) || !(a.world_from_texture == b.world_from_texture)) return false;
+    if (!(a.color_map == b.color_map)) return false;
     return a.image == b.image || (a.image && b.image && *a.image == *b.image);
 }
 
@@ -153,13 +205,20 @@ void bind_textures(py::module_& m) {
         "Texture(image, mapping='uv', ...): a picture on surfaces, whose materials refer to it. image: an "
         "array of height x width x 3 (r, g, b) or 4 (and alpha) of uint8 or uint16, the first row at the "
         "top; the name of a PNG, JPEG, TGA or PPM file; or the bytes of one. u goes to the right and v up; "
-        "(0, 0) is the picture's lower left corner, and (1, 1) its upper right corner.");
-    cls.def(py::init(&make_texture), py::arg("image"));
+        "(0, 0) is the picture's lower left corner, and (1, 1) its upper right corner. color_map: in place "
+        "of an "
+        "image, colors by u, such as [(0, 'white'), (0.5, 'black')] with mapping='checker', "
+        "filter='nearest'.");
+    cls.def(py::init(&make_texture), py::arg("image") = py::none(), py::arg("color_map") = py::none());
     bind_fields<Texture>(cls, &TextureBox::value);
     cls.def_property("image", &texels_of, &set_image,
                      "The texels, a read-only array of height x width x 3 or 4 of uint8 or uint16, the first "
                      "row at the top. They do not change in place: assign another array, a file's name, or "
                      "bytes.")
+        .def_property("color_map", &color_map_of, &set_color_map,
+                      "In place of an image: 1 to 256 of (place, color) or (place, color, alpha), by place, "
+                      "a number of u "
+                      "from 0 to 1; None: there is an image")
         .def_property(
             "world_from_texture", [](const TextureBox& t) { return to_python(t.value.world_from_texture); },
             &set_map,

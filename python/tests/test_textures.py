@@ -228,7 +228,7 @@ def test_refuses_values():
     texture = glint.Texture(TEXELS)
     for name, value, message in (
         ("wrap_u", "tile", "wrap_u: expected one of repeat, mirror, clamp, once, clip, found 'tile'"),
-        ("mapping", 1, "mapping: expected one of uv, planar, spherical, cylindrical, found 1"),
+        ("mapping", 1, "mapping: expected one of uv, planar, spherical, cylindrical, checker, onion, rings, boxes, slabs, leopard, found 1"),
         ("alpha_cutoff", 2, "alpha_cutoff: expected a number from 0 to 1, found 2"),
         ("uv_map", (1, 2), "uv_map: expected two rows of three numbers"),
         ("uv_map", ((1, 0, np.nan), (0, 1, 0)), "uv_map: expected a number from -1e12 to 1e12, found nan"),
@@ -284,3 +284,36 @@ def test_texture_coordinates_of_meshes():
     ):
         with pytest.raises(ValueError, match=message):
             glint.Mesh(CORNERS, FACES, texture_coordinates=wrong)
+
+
+def test_maps_of_colors():
+    board = glint.Texture(color_map=[(0, "white"), (0.5, (0, 0, 0.5), 0.25)], mapping="checker", filter="nearest", name="board")
+    assert board.color_map == [(0.0, (1, 1, 1)), (0.5, (0, 0, 0.5), 0.25)] and board.image is None
+    assert eval(repr(board), {"Texture": glint.Texture}) == board == pickle.loads(pickle.dumps(board))
+    assert board != glint.Texture(color_map=[(0, "white")], mapping="checker", filter="nearest", name="board")
+    board.color_map = [(0, "#ffffff"), (0.5, "black")]
+    scene = glint.Scene(size=(8, 8), background="red")
+    scene.add(glint.Plane((0, 0, -0.5), (0, 0, 1), material=glint.Material(color=1, ambient=1, diffuse=0, texture=board)))
+    scene.add(glint.Light("ambient"))
+    scene.camera.projection, scene.camera.width = "orthographic", 8
+    scene.camera.position, scene.camera.look_at = (0, 0, 5), (0, 0, 0)
+    picture = scene.render().array
+    x, y = np.meshgrid(np.arange(8), np.arange(8))
+    np.testing.assert_array_equal(picture[:, :, 0], (x + y + picture[0, 0, 0]) % 2)
+    assert glint.loads(scene.to_glint(), name="a.glint").textures[0].color_map == [(0.0, (1, 1, 1)), (0.5, (0, 0, 0))]
+    board.image = TEXELS
+    assert board.color_map is None
+
+
+def test_maps_of_colors_are_refused():
+    for value, message in (
+        ([(0.5, "white"), (0, "black")], "color_map: expected places in ascending order, found 0 after 0.5"),
+        (["white", "black"], "color_map: color 1: expected .place, color. or .place, color, alpha., found 'white'"),
+        ([(2, "white")], "color_map: color 1: place: expected a number from 0 to 1, found 2"),
+        ([], "color_map: expected colors, as the texture has no image"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            glint.Texture(color_map=value)
+    for arguments in ({}, {"image": TEXELS, "color_map": [(0, 1)]}):
+        with pytest.raises(TypeError, match="expected an image or a color_map"):
+            glint.Texture(**arguments)

@@ -83,7 +83,7 @@ void add_fineness(const WorldParts& world, const PixelHits& hits, Fineness& to) 
     };
     const auto at = place_of(*hits.here), right = place_of(*hits.beside[0]),
                below = place_of(*hits.beside[1]);
-    if (!at || !right || !below || !sample_texture(texture, *at)) return;
+    if (!texture.image || !at || !right || !below || !sample_texture(texture, *at)) return;
     const TexturePlace x{right->u - at->u, right->v - at->v}, y{below->u - at->u, below->v - at->v};
     const double samples = world.settings.samples;
     const auto texels = [&](TexturePlace way) {

@@ -95,7 +95,8 @@ void check_coordinates(CheckContext& context) {
 
 // Whether the picture has nothing but what its alpha makes invisible.
 bool is_invisible(const Texture& texture) {
-    if (!texture.has_alpha() || !texture.image->has_alpha || texture.has_wrap(TextureWrap::once))
+    if (!texture.has_alpha() || !texture.image || !texture.image->has_alpha ||
+        texture.has_wrap(TextureWrap::once))
         return false;
     return std::visit(
         [&](const auto& words) {

@@ -16,8 +16,21 @@ std::string coordinate_text(double x, TextureWrap wrap) {
 }
 
 std::string uv_text(const Texture& texture, const ExplainedTexture& t) {
+    if (!texture.image)
+        return fmt::format("u {} of {}", coordinate_text(t.u, texture.wrap_u), to_string(texture.mapping));
     return fmt::format("u {}, v {}", coordinate_text(t.u, texture.wrap_u),
                        coordinate_text(t.v, texture.wrap_v));
+}
+
+// The colors of the map beside u, counted from 1.
+std::string colors_text(const Texture& texture, const ExplainedTexture& t) {
+    const auto one = [&](int i) {
+        const TextureColor& c = texture.color_map[static_cast<std::size_t>(i)];
+        return fmt::format("{} of the color map (at {}: {})", i + 1, number(c.at), color(c.color));
+    };
+    if (t.column == t.next_column) return "color " + one(t.column);
+    return fmt::format("between color {} and color {}, {} of the way", one(t.column), one(t.next_column),
+                       number(t.next_column_weight));
 }
 
 }  // namespace
@@ -27,6 +40,8 @@ std::string texture_text(const Scene& scene, const ExplainedTexture& t) {
     std::string text = fmt::format("{} at {}: ", texture_item_text(scene, t.texture), uv_text(texture, t));
     if (t.column < 0) {
         text += "beside the picture";
+    } else if (!texture.image) {
+        text += colors_text(texture, t);
     } else if (texture.filter == TextureFilter::nearest) {
         text += fmt::format("texel in column {}, row {}", t.column, t.row);
     } else {

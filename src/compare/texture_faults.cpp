@@ -55,7 +55,8 @@ bool has_exchange_before(const Scene& s) {
 }
 bool has_few_encoded_texels(const Scene& s) {
     std::size_t texels = 0;
-    for (const Texture& t : s.textures) texels += std::size_t{t.image->width} * t.image->height;
+    for (const Texture& t : s.textures)
+        if (t.image) texels += std::size_t{t.image->width} * t.image->height;
     return texels <= k_max_decoded && has_texels<TextureEncoding::srgb>(s);
 }
 
@@ -91,7 +92,7 @@ template <TextureFilter filter> void set_filter(Scene& s) {
 }
 void shift_half_texel(Scene& s) {
     for_each_texture(s, [](Texture& t) {
-        if (t.filter == TextureFilter::nearest) return;
+        if (t.filter == TextureFilter::nearest || !t.image) return;
         t.uv_map.m[0][2] += 0.5 / t.image->width;
         t.uv_map.m[1][2] -= 0.5 / t.image->height;
     });
@@ -120,7 +121,7 @@ TextureImage decoded(const TextureImage& image) {
 }
 void decode_again(Scene& s) {
     for_each_texture(s, [](Texture& t) {
-        if (t.encoding == TextureEncoding::srgb)
+        if (t.encoding == TextureEncoding::srgb && t.image)
             t.image = std::make_shared<const TextureImage>(decoded(*t.image));
     });
 }

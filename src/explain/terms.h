@@ -116,18 +116,20 @@ inline constexpr ExplainedTerm<ExplainedOcclusion> k_occlusion_terms[] = {
 };
 
 inline constexpr ExplainedTerm<ExplainedTexture> k_texture_terms[] = {
-    {"u", &ExplainedTexture::u, "u in the picture, to the right"},
+    {"u", &ExplainedTexture::u, "u in the picture, to the right; with a `color_map`, the place in it"},
     {"v", &ExplainedTexture::v, "v in the picture, up"},
     {"column", &ExplainedTexture::column,
-     "of the first texel, from the left, from 0; -1 beside the picture, with the wrap clip"},
-    {"next_column", &ExplainedTexture::next_column, "of the texel that is mixed with it"},
+     "of the first texel, from the left, from 0; -1 beside the picture, with the wrap clip; with a "
+     "`color_map`, the number of its color, from 0"},
+    {"next_column", &ExplainedTexture::next_column,
+     "of the texel, or color of the map, that is mixed with it"},
     {"row", &ExplainedTexture::row, "of the first texel, from the top, from 0; -1 as above"},
     {"next_row", &ExplainedTexture::next_row, "of the texel that is mixed with it"},
     {"next_column_weight", &ExplainedTexture::next_column_weight,
      "the weight of the next column; the first one has the rest"},
     {"next_row_weight", &ExplainedTexture::next_row_weight, "the weight of the next row"},
-    {"color", &ExplainedTexture::color, "the texels' color, decoded and mixed"},
-    {"alpha", &ExplainedTexture::alpha, "the texels' alpha, mixed; 1 without one"},
+    {"color", &ExplainedTexture::color, "the color of the texels or of the map, decoded and mixed"},
+    {"alpha", &ExplainedTexture::alpha, "their alpha, mixed; 1 without one"},
 };
 
 inline constexpr ExplainedTerm<ExplainedHole> k_hole_terms[] = {

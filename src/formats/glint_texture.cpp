@@ -15,11 +15,12 @@
 namespace glint {
 namespace {
 
-enum { k_texture_file, k_texture_texels, k_first_texture_field };
+enum { k_texture_file, k_texture_texels, k_texture_color_map, k_first_texture_field };
 constexpr int k_first_texture_map = k_first_texture_field + static_cast<int>(std::size(k_texture_fields));
 
 constexpr auto k_texture_keys = [] {
-    std::array<Field, k_first_texture_map + std::size(k_transform_fields)> keys{{{"file"}, {"texels"}}};
+    std::array<Field, k_first_texture_map + std::size(k_transform_fields)> keys{
+        {{"file"}, {"texels"}, {"color_map"}}};
     auto* key = keys.data() + k_first_texture_field;
     for (const ItemField<Texture>& field : k_texture_fields) *key++ = {field.key};
     std::copy(std::begin(k_transform_fields), std::end(k_transform_fields), key);
@@ -29,7 +30,8 @@ constexpr auto k_texture_keys = [] {
 constexpr SpellingHint k_texture_hints[] = {{"image", "`file`"},         {"map", "`file`"},
                                             {"picture", "`file`"},       {"wrap", "`wrap_u` and `wrap_v`"},
                                             {"projection", "`mapping`"}, {"interpolate", "`filter`"},
-                                            {"gamma", "`encoding`"}};
+                                            {"gamma", "`encoding`"},     {"colors", "`color_map`"},
+                                            {"pattern", "`mapping`"}};
 
 constexpr std::string_view k_texel_words =
     "a word of 6, 8, 12 or 16 hexadecimal digits for each texel, as many in all";
@@ -109,6 +111,41 @@ std::shared_ptr<const TextureImage> read_texels(GlintText& t) {
     return image;
 }
 
+// Reads a color of `color_map`: (place, color) or (place, color, alpha). False after an error.
+bool read_map_color(GlintText& t, TextureColor& color) {
+    if (!t.p.token().is('(')) {
+        t.p.expected("a place and a color: `(0, (1, 1, 1))`");
+        return false;
+    }
+    t.p.take();
+    const ValueReader read{t};
+    if (!t.p.number(color.at, k_fraction) || !t.p.expect(',')) return false;
+    if (!read(ColorType{k_channel, ColorUse::surface}, color.color)) return false;
+    if (t.p.accept(',') && !t.p.token().is(')') && !t.p.number(color.alpha, k_fraction)) return false;
+    return t.p.expect(')');
+}
+
+std::vector<TextureColor> read_color_map(GlintText& t) {
+    std::vector<TextureColor> colors;
+    read_list(t, "places and colors `(0, (1, 1, 1))`", [&] {
+        const Token at = t.p.token();
+        TextureColor color;
+        if (!read_map_color(t, color)) return false;
+        if (colors.size() == k_max_texture_colors) {
+            t.p.error(at, fmt::format("expected at most {} colors", k_max_texture_colors));
+            return false;
+        }
+        if (!colors.empty() && color.at < colors.back().at) {
+            t.p.error(at, fmt::format("expected a place of at least {}, that of the color before, found {}",
+                                      colors.back().at, color.at));
+            return false;
+        }
+        colors.push_back(color);
+        return true;
+    });
+    return colors;
+}
+
 }  // namespace
 
 std::span<const Field> glint_texture_keys() { return k_texture_keys; }
@@ -162,6 +199,14 @@ void GlintTextures::read_block(GlintText& t, const Token& word) {
             texture.image = read_texels(t);
             return texture.image != nullptr;
         }
+        if (field == k_texture_color_map) {
+            ++sources;
+            const auto errors = t.reading.diagnostics.error_count();
+            texture.color_map = read_color_map(t);
+            if (texture.color_map.empty() && errors == t.reading.diagnostics.error_count())
+                t.p.error(at, "expected at least one color in `color_map`");
+            return !texture.color_map.empty();
+        }
         if (field < k_first_texture_map)
             return read_field(t, k_texture_fields[field - k_first_texture_field], texture);
         return read_transform_key(t, field - k_first_texture_map, at, item);
@@ -173,8 +218,10 @@ void GlintTextures::read_block(GlintText& t, const Token& word) {
         return t.p.error(name, fmt::format("a second texture called {}", quoted(key)));
     }
     if (sources != 1)
-        return t.p.error(word, sources == 0 ? "expected a texture's `file` or `texels`"
-                                            : "expected a texture's `file` or `texels`, found both");
+        return t.p.error(word,
+                         sources == 0
+                             ? "expected a texture's `file`, `texels` or `color_map`"
+                             : "expected one of a texture's `file`, `texels` and `color_map`, found several");
     if (item.map) texture.world_from_texture = *item.map;
     const std::uint32_t index = index_of(t.scene, key);
     undefined_.erase(key);

@@ -33,6 +33,20 @@ void write_texels(BlockWriter& block, const TextureImage& image) {
     text += ')';
 }
 
+void write_color_map(BlockWriter& block, const std::vector<TextureColor>& colors) {
+    std::string& text = block.key("color_map");
+    text += '(';
+    for (const TextureColor& color : colors) {
+        if (&color != &colors.front()) text += ", ";
+        block.allow_break();
+        fmt::format_to(std::back_inserter(text), "({}, ", color.at);
+        append(text, color.color);
+        if (color.alpha < 1) fmt::format_to(std::back_inserter(text), ", {}", color.alpha);
+        text += ')';
+    }
+    text += ')';
+}
+
 }  // namespace
 
 void write_textures(BlockWriter& block, const Scene& scene, const MaterialPlan& plan,
@@ -42,7 +56,9 @@ void write_textures(BlockWriter& block, const Scene& scene, const MaterialPlan& 
         std::string head = "texture ";
         append_name(head, plan.texture_name(i));
         block.begin(head);
-        if (texture.file.empty()) {
+        if (!texture.image) {
+            write_color_map(block, texture.color_map);
+        } else if (texture.file.empty()) {
             write_texels(block, *texture.image);
         } else {
             append_quoted(block.key("file"), texture.file);

@@ -11,7 +11,8 @@ inline constexpr std::string_view k_filter_words[] = {"nearest", "bilinear"};
 inline constexpr std::string_view k_mix_words[] = {"multiply", "replace", "multiply_all"};
 inline constexpr std::string_view k_encoding_words[] = {"linear", "srgb"};
 inline constexpr std::string_view k_alpha_words[] = {"blend", "mask", "ignore"};
-inline constexpr std::string_view k_mapping_words[] = {"uv", "planar", "spherical", "cylindrical"};
+inline constexpr std::string_view k_mapping_words[] = {
+    "uv", "planar", "spherical", "cylindrical", "checker", "onion", "rings", "boxes", "slabs", "leopard"};
 
 template <> struct FieldMembers<Texture> {
     template <class Choice> using Chosen = FieldMember<Texture, Choice, ChoiceType>;
@@ -21,7 +22,7 @@ template <> struct FieldMembers<Texture> {
                      FieldMember<Texture, UvMap, UvMapType>>;
 };
 
-/// .glint also has `file` or `texels`, and the keys of transforms.
+/// .glint also has `file`, `texels` or `color_map`, and the keys of transforms.
 inline constexpr ItemField<Texture> k_texture_fields[] = {
     {"mapping", "mapping", "mapping", choice_field(&Texture::mapping, k_mapping_words),
      "where u and v come from: a mesh's vertices, or the point in the texture's coordinates"},

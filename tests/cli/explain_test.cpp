@@ -256,6 +256,29 @@ TEST(Explain, TellsOfHolesAndOfBorders) {
     EXPECT_FALSE(contains(right, "clamped")) << right;
 }
 
+TEST(Explain, TellsOfColorsOfAMap) {
+    const Folder folder;
+    folder.write("map.glint",
+                 "render { size = 8 x 4 }\ncamera { position = (0, 0, 9)  look_at = (0, 0, 0)  fov_x = 20 }\n"
+                 "light { type = ambient }\n"
+                 "texture map { color_map = ((0, (1, 0, 0)), (0.5, (0, 0, 1)))  mapping = planar  scale = 10 "
+                 " translate = (-5, 0, 0) }\n"
+                 "texture board { color_map = ((0, (1, 1, 1)), (0.5, (0, 1, 0)))  mapping = checker  filter "
+                 "= nearest }\n"
+                 "disc { center = (0.5, 0, 0)  normal = (0, 0, 1)  radius = 0.9  texture = map }\n"
+                 "plane { point = (0, 0, -1)  normal = (0, 0, 1)  texture = board }\n");
+    const std::string map = run(folder, {"explain", "map.glint", "-p", "3,2"}).out,
+                      board = run(folder, {"explain", "map.glint", "-p", "0,2"}).out;
+    EXPECT_TRUE(contains(map, "texture 'map' (map.glint:4:1) at u 0.48")) << map;
+    EXPECT_TRUE(contains(map,
+                         " of planar: between color 1 of the color map (at 0: (1, 0, 0)) and color 2 of the "
+                         "color map (at 0.5: "
+                         "(0, 0, 1)), 0.96"))
+        << map;
+    EXPECT_TRUE(contains(board, "at u 0 of checker: color 1 of the color map (at 0: 1), color 1, which"))
+        << board;
+}
+
 TEST(Explain, TellsOfBacks) {
     const Folder folder;
     folder.write(

@@ -11,6 +11,7 @@
 #include "formats/load_text.h"
 #include "formats/random_scene.h"
 #include "glint/glint.h"
+#include "scene/material_color.h"
 
 namespace glint::test {
 namespace {
@@ -237,6 +238,24 @@ TEST(WriteGltf, Textures) {
     scene.textures[0].wrap_u = TextureWrap::once;
     EXPECT_EQ(gltf_warnings(scene),
               "glTF has no textures with the wrap `once` or `clip`: they are written as `clamp`\n");
+}
+
+TEST(WriteGltf, MapsOfColorsBecomeTheirMean) {
+    Scene scene = gltf_like(R"(
+texture t { color_map = ((0, (1, 1, 1)), (0.5, (0, 0.5, 0)))  mapping = checker  filter = nearest }
+material m { color = (0.5, 0.5, 0.5)  texture = t }
+sphere { center = (0, 0, 0)  radius = 1  material = m })");
+    const Result<Scene> again = written_and_read(scene);
+    ASSERT_TRUE(again) << messages(again);
+    EXPECT_EQ(gltf_warnings(scene),
+              "glTF has no patterns and maps of colors (`color_map`): the surfaces have their mean color\n");
+    scene.textures.clear();
+    scene.materials[0].texture = k_none;
+    scene.materials[0] = with_color(scene.materials[0], {0.25, 0.375, 0.25});
+    const Result<Scene> mean = written_and_read(scene);
+    ASSERT_EQ(again->materials.size(), 1u);
+    EXPECT_TRUE(again->textures.empty());
+    EXPECT_EQ(again->materials[0].color, mean->materials[0].color);
 }
 
 TEST(WriteGltf, UnlitTexturesHaveTheirColorsWhateverTheLights) {

@@ -56,6 +56,7 @@ const GalleryPicture k_gallery[] = {
     {"glint/highlight_4.glint", "size=100x100", 0x963b808546f40b39},
     {"glint/lit_sphere.glint", "size=43x43", 0x7515c9fcc9e53450},
     {"glint/moon_phases.glint", "size=160x80", 0x825214feb3b7d955},
+    {"glint/patterns.glint", "size=160x107", 0x1a6367166a40ee5b},
     {"glint/peapod.glint", "size=120x79 aa=1", 0x7b8ffb9a57b99dc6},
     {"glint/shell.glint", "size=160x160 aa=1", 0xb3db701eb72175eb},
     {"glint/stained_glass.glint", "size=160x120", 0x47240280c10c692b},

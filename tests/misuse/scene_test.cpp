@@ -290,7 +290,7 @@ TEST(Misuse, TexturesWithoutImages) {
     EXPECT_EQ(to_string(static_cast<TextureFilter>(9)), "unknown");
     EXPECT_EQ(to_string(static_cast<TextureMix>(9)), "unknown");
     EXPECT_EQ(to_string(static_cast<TextureEncoding>(9)), "unknown");
-    EXPECT_EQ(to_string(static_cast<TextureMapping>(9)), "unknown");
+    EXPECT_EQ(to_string(static_cast<TextureMapping>(99)), "unknown");
 }
 
 TEST(Misuse, MeshesWithoutTheVerticesOfTheirTriangles) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/status.h"
+#include "export/gltf/color_maps.h"
 #include "export/gltf/meshes.h"
 #include "export/gltf/placement.h"
 #include "export/gltf/shapes.h"
@@ -36,11 +37,13 @@ bool has_other_conventions(const Scene& scene) {
     return false;
 }
 
-Result<std::string> write(const Scene& scene, bool is_binary) {
-    std::vector<Diagnostic> diagnostics = validate(scene);
+Result<std::string> write(const Scene& given, bool is_binary) {
+    std::vector<Diagnostic> diagnostics = validate(given);
     if (has_errors(diagnostics)) return invalid_scene(std::move(diagnostics));
     File file;
     Losses losses;
+    const std::optional<Scene> changed = with_mean_colors(given, losses);
+    const Scene& scene = changed ? *changed : given;
     const ColorRule rule(scene.conventions);
     TextureList textures(scene, rule, file, losses);
     MaterialList materials(scene, rule, file, textures, losses);

@@ -121,6 +121,36 @@ double up(Vec3 p) {
     return 0.5 + atan2(p.y, beside) * 2 / k_two_pi;
 }
 
+// 0 and 0.5 in turn.
+double checker(Vec3 p) {
+    const double cell = std::floor(p.x + k_checker_margin) + std::floor(p.y + k_checker_margin) +
+                        std::floor(p.z + k_checker_margin);
+    return (cell - 2 * std::floor(cell / 2)) / 2;
+}
+
+double leopard(Vec3 p) {
+    const double mean = (sin(p.x) + sin(p.y) + sin(p.z)) / 3;
+    return mean * mean;
+}
+
+// The color map at u from 0 to 1.
+TextureSample sample_colors(const PreparedTexture& texture, TexturePlace place, double u) {
+    const auto& colors = texture.color_map;
+    const auto next = std::upper_bound(colors.begin(), colors.end(), u,
+                                       [](double at, const TextureColor& color) { return at < color.at; });
+    const auto last = next == colors.begin() ? next : next - 1, second = next == colors.end() ? last : next;
+    TextureSample sample{place, {}, {}, 0, 0, last->color, last->alpha};
+    sample.columns[0] = sample.columns[1] = static_cast<std::int32_t>(last - colors.begin());
+    if (texture.filter == TextureFilter::nearest || second == last) return sample;
+    sample.columns[1] = static_cast<std::int32_t>(second - colors.begin());
+    sample.right = (u - last->at) / (second->at - last->at);
+    const auto between = [&](double a, double b) { return mixed(a, b, sample.right); };
+    sample.color = {between(last->color.r, second->color.r), between(last->color.g, second->color.g),
+                    between(last->color.b, second->color.b)};
+    sample.alpha = between(last->alpha, second->alpha);
+    return sample;
+}
+
 // u and v of the surface, before Texture::uv_map.
 std::optional<TexturePlace> surface_uv(const PackedGeometry& geometry, const PreparedTexture& texture,
                                        SurfaceId id, Vec3 point) {
@@ -141,6 +171,12 @@ std::vector<PreparedTexture> prepare_textures(std::span<const Texture> textures)
         PreparedTexture& p = prepared.emplace_back();
         static_cast<Texture&>(p) = texture;
         p.texture_from_world = inverse(texture.world_from_texture).value_or(Affine{});
+        if (!texture.image) {
+            if (texture.encoding == TextureEncoding::srgb)
+                for (TextureColor& c : p.color_map)
+                    c.color = {srgb_decode(c.color.r), srgb_decode(c.color.g), srgb_decode(c.color.b)};
+            continue;
+        }
         p.colors = tables.of(*texture.image, texture.encoding == TextureEncoding::srgb);
         if (texture.image->has_alpha) p.alphas = tables.of(*texture.image, false);
     }
@@ -153,6 +189,19 @@ TexturePlace place_on(TextureMapping mapping, Vec3 p) {
             return TexturePlace{around(p), up(p)};
         case TextureMapping::cylindrical:
             return TexturePlace{around(p), p.y};
+        case TextureMapping::checker:
+            return TexturePlace{checker(p), 0};
+        case TextureMapping::onion:
+            return TexturePlace{length(p), 0};
+        case TextureMapping::rings:
+            return TexturePlace{number::sqrt(p.x * p.x + p.z * p.z), 0};
+        case TextureMapping::boxes:
+            return TexturePlace{
+                number::max(number::max(number::abs(p.x), number::abs(p.y)), number::abs(p.z)), 0};
+        case TextureMapping::slabs:
+            return TexturePlace{number::abs(p.x), 0};
+        case TextureMapping::leopard:
+            return TexturePlace{leopard(p), 0};
         case TextureMapping::planar:
         case TextureMapping::uv:
             break;
@@ -174,6 +223,7 @@ std::optional<TextureSample> sample_texture(const PreparedTexture& texture, Text
     if ((!u && texture.wrap_u == TextureWrap::once) || (!v && texture.wrap_v == TextureWrap::once))
         return std::nullopt;
     if (!u || !v) return TextureSample{place, {-1, -1}, {-1, -1}, 0, 0, {}, 0};
+    if (!texture.image) return sample_colors(texture, place, *u);
     const TextureImage& image = *texture.image;
     const Pair columns = texels_at(*u, image.width, texture.wrap_u, texture.filter),
                rows = texels_at(1 - *v, image.height, texture.wrap_v, texture.filter);

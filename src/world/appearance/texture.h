@@ -33,7 +33,8 @@ struct TexturePlace {
 struct TextureSample {
     TexturePlace place;
     /// The texels' columns from the left and rows from the top; with TextureFilter::nearest, the first ones;
-    /// -1 beside the picture, with TextureWrap::clip.
+    /// -1 beside the picture, with TextureWrap::clip. With a color_map: columns are the numbers of its
+    /// colors.
     std::array<std::int32_t, 2> columns{}, rows{};
     double right = 0, lower = 0;  // weights of the second column and of the second row
     Color color;

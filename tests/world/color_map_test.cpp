@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+// Maps of colors and patterns (Texture::color_map), to the bit, against docs/lighting.md.
+#include <cmath>
+
+#include "formats/load_text.h"
+#include "glint/explain.h"
+#include "glint/write.h"
+#include "math/elementary.h"
+#include "math/srgb.h"
+#include "scene/validate_texture.h"
+#include "world/appearance/texture.h"
+#include "world/same_pictures.h"
+
+namespace glint::test {
+namespace {
+
+Texture color_texture(std::vector<TextureColor> colors, TextureFilter filter = TextureFilter::bilinear) {
+    Texture texture;
+    texture.color_map = std::move(colors);
+    texture.filter = filter;
+    texture.wrap_u = TextureWrap::clamp;
+    return texture;
+}
+
+TextureSample color_at(const Texture& texture, double u) {
+    return sample_texture(prepare_textures({&texture, 1}).front(), {u, 0.3}).value();
+}
+
+const std::vector<TextureColor> k_map_colors{
+    {0.25, {0.1, 0.2, 0.3}}, {0.5, {0.9, 0.7, 0.1}, 0.5}, {0.5, {0, 1, 0}}, {1, {0.3, 0.3, 0.3}, 0}};
+
+TEST(ColorMaps, MixTheColorsBesideU) {
+    const Texture t = color_texture(k_map_colors);
+    const TextureSample s = color_at(t, 0.3);
+    const double second = (0.3 - 0.25) / (0.5 - 0.25);
+    EXPECT_EQ(s.color,
+              (Color{0.1 + (0.9 - 0.1) * second, 0.2 + (0.7 - 0.2) * second, 0.3 + (0.1 - 0.3) * second}));
+    EXPECT_EQ(s.alpha, 1 + (0.5 - 1) * second);
+    EXPECT_EQ(s.columns, (std::array<std::int32_t, 2>{0, 1}));
+    EXPECT_EQ(s.right, second);
+}
+
+TEST(ColorMaps, HaveTheEndsOfTheMapBeyondIt) {
+    const Texture t = color_texture(k_map_colors);
+    EXPECT_EQ(color_at(t, 0.1).color, k_map_colors[0].color);
+    EXPECT_EQ(color_at(t, 0.25).color, k_map_colors[0].color);
+    EXPECT_EQ(color_at(t, 7).color, k_map_colors[3].color);
+    EXPECT_EQ(color_at(t, 7).columns[1], 3);
+}
+
+TEST(ColorMaps, StepWhereTwoColorsHaveOnePlace) {
+    const Texture t = color_texture(k_map_colors);
+    EXPECT_EQ(color_at(t, 0.5).color, k_map_colors[2].color);
+    EXPECT_NEAR(color_at(t, std::nextafter(0.5, 0)).color.r, 0.9, 1e-12);
+}
+
+TEST(ColorMaps, NearestIsTheColorBefore) {
+    const Texture t = color_texture(k_map_colors, TextureFilter::nearest);
+    EXPECT_EQ(color_at(t, 0.49).color, k_map_colors[0].color);
+    EXPECT_EQ(color_at(t, 0.5).color, k_map_colors[2].color);
+    EXPECT_EQ(color_at(t, 0.99).color, k_map_colors[2].color);
+    EXPECT_EQ(color_at(t, 0.99).columns[1], 2);
+}
+
+TEST(ColorMaps, AreDecodedBeforeTheyAreMixed) {
+    Texture t = color_texture({{0, {0.5, 0, 1}}, {1, {0, 0.5, 0}}});
+    t.encoding = TextureEncoding::srgb;
+    EXPECT_EQ(color_at(t, 0).color.r, srgb_decode(0.5));
+    EXPECT_EQ(color_at(t, 0.5).color.g, srgb_decode(0.5) * 0.5);
+}
+
+TEST(ColorMaps, WrapUAsPicturesDo) {
+    Texture t = color_texture({{0, {0, 0, 0}}, {1, {1, 1, 1}}});
+    t.wrap_u = TextureWrap::repeat;
+    EXPECT_EQ(color_at(t, -0.25).color.r, 0.75);
+    t.wrap_u = TextureWrap::mirror;
+    EXPECT_EQ(color_at(t, 1.25).color.r, 0.75);
+    t.wrap_u = TextureWrap::clip;
+    EXPECT_TRUE(t.has_alpha());
+    EXPECT_EQ(color_at(t, 1.25).alpha, 0);
+}
+
+TEST(Patterns, HaveTheirNumberAtAPoint) {
+    const Vec3 p{1.25, -2.5, 3.75};
+    EXPECT_EQ(place_on(TextureMapping::onion, p).u, std::sqrt(1.25 * 1.25 + 2.5 * 2.5 + 3.75 * 3.75));
+    EXPECT_EQ(place_on(TextureMapping::rings, p).u, std::sqrt(1.25 * 1.25 + 3.75 * 3.75));
+    EXPECT_EQ(place_on(TextureMapping::boxes, p).u, 3.75);
+    EXPECT_EQ(place_on(TextureMapping::boxes, {1, -2.5, 2}).u, 2.5);
+    EXPECT_EQ(place_on(TextureMapping::slabs, {-1.25, 5, 5}).u, 1.25);
+    const double mean = (sin(1.25) + sin(-2.5) + sin(3.75)) / 3;
+    EXPECT_EQ(place_on(TextureMapping::leopard, p).u, mean * mean);
+}
+
+TEST(Patterns, CheckersAlternate) {
+    for (int x = -3; x < 3; ++x)
+        for (int y = -3; y < 3; ++y)
+            for (int z = -3; z < 3; ++z)
+                EXPECT_EQ(place_on(TextureMapping::checker, {x + 0.5, y + 0.01, z + 0.99}).u,
+                          (x + y + z) % 2 == 0 ? 0 : 0.5);
+}
+
+TEST(Patterns, ASurfaceOnABorderOfACheckerHasOneColor) {
+    for (const double y : {2.0, std::nextafter(2.0, 0), 2 - 0x1p-40, 2 + 0x1p-40})
+        EXPECT_EQ(place_on(TextureMapping::checker, {0.5, y, 0.5}).u, 0) << y;
+    EXPECT_EQ(place_on(TextureMapping::checker, {0.5, 2 - 1e-9, 0.5}).u, 0.5);
+}
+
+constexpr std::string_view k_color_scene = R"(camera { position = (0, 2, 5)  look_at = (0, 0, 0) }
+light { position = (3, 9, 5) }
+texture board { color_map = ((0, (1, 1, 1)), (0.5, (0, 0, 0)))  mapping = checker  filter = nearest }
+texture bands { color_map = ((0, "#ff0000"), (0.25, (0, 0, 1), 0.5), (1, (1, 1, 1)))  mapping = onion
+                uv_map = ((2, 0, 0.5), (0, 1, 0))  translate = (0, 1, 0) }
+plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.8, 0.7, 0.6)  texture = board }
+sphere { center = (0, 1, 0)  radius = 1  color = (1, 1, 1)  texture = bands }
+)";
+
+TEST(ColorMaps, AreReadAndWritten) {
+    const Scene scene = quiet_scene(k_color_scene, "a.glint");
+    ASSERT_EQ(scene.textures.size(), 2u);
+    const std::vector<TextureColor>& bands = scene.textures[1].color_map;
+    EXPECT_EQ(bands, (std::vector<TextureColor>{{0, {1, 0, 0}}, {0.25, {0, 0, 1}, 0.5}, {1, {1, 1, 1}}}));
+    const Scene again = quiet_scene(write_glint(scene).value(), "b.glint");
+    EXPECT_EQ(again.textures, scene.textures);
+}
+
+TEST(ColorMaps, ThePixelIsTheSumOfItsTerms) {
+    Scene scene = quiet_scene(k_color_scene, "a.glint");
+    scene.settings.width = 48, scene.settings.height = 36;
+    const World world = prepare(scene).value();
+    const Rendering picture = render(world).value();
+    bool seen[2] = {};
+    for (int i = 0; i < 48 * 36; i += 7) {
+        const Explanation e = explain(scene, world, i % 48, i / 48).value();
+        const float* const rgb = picture.image.rgb.data() + 3 * i;
+        for (int c = 0; c < 3; ++c) EXPECT_EQ(e.value[c], rgb[c]);
+        if (e.rays[0].hit && e.rays[0].hit->texture) seen[e.rays[0].hit->texture->texture] = true;
+    }
+    EXPECT_TRUE(seen[0] && seen[1]);
+}
+
+TEST(ColorMaps, Mistakes) {
+    const auto mistake = [](std::vector<TextureColor> colors) {
+        return mistake_in(color_texture(std::move(colors)));
+    };
+    EXPECT_EQ(mistake(k_map_colors), "");
+    EXPECT_EQ(mistake({}), "expected an image or a color_map, found neither");
+    EXPECT_EQ(mistake({{0.5, {}}, {0.4, {}}}),
+              "color_map: expected places in ascending order, found 0.4 after 0.5");
+    EXPECT_EQ(mistake({{1.5, {}}}),
+              "color_map: the place of color 1: expected a number from 0 to 1, found 1.5");
+    EXPECT_EQ(mistake({{0, {}, -1}}),
+              "color_map: the alpha of color 1: expected a number from 0 to 1, found -1");
+    EXPECT_EQ(mistake({{0, {}}, {1, {0, 2e6, 0}}}),
+              "color_map: color 2: expected a number from -1e6 to 1e6, found 2000000");
+    EXPECT_EQ(mistake(std::vector<TextureColor>(257)), "color_map: expected at most 256 colors, found 257");
+    Texture both = color_texture(k_map_colors);
+    both.image = std::make_shared<const TextureImage>();
+    EXPECT_EQ(mistake_in(both), "expected an image or a color_map, found both");
+}
+
+}  // namespace
+}  // namespace glint::test
