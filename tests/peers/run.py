@@ -19,13 +19,14 @@ import fog
 import images
 import lights
 import output
+import patterns
 import pov
 import sky
 import transparency
 
 SHARE = 0.99
 LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES, output.RULES, dat.RULES, pov.RULES,
-         images.RULES]
+         images.RULES, patterns.RULES]
 
 
 def read_ppm(path):

@@ -51,6 +51,7 @@ std::array<double, 5> ValueParser::color(bool from_numbers) {
             case Word::k_srgbf:
             case Word::k_srgbt:
             case Word::k_srgbft: {
+                if (is_any) return out;  // the next color of a list
                 take();
                 Numbers value = expression();
                 const bool has_filter = word == Word::k_rgbf || word == Word::k_srgbf;

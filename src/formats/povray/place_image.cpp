@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures on surfaces: an image_map, at its place in the scene.
+// Pictures and patterns on surfaces, at their place in the scene.
 #include <algorithm>
 
 #include "formats/povray/scene_builder.h"
@@ -20,11 +20,13 @@ std::uint32_t SceneBuilder::texture_of(const Inherited& own, const Token& at) {
     const Pigment& pigment = own.texture->pigment;
     const glint::Texture& image = *pigment.image;
     const Affine pattern = pigment.map.value_or(Affine{});
+    const bool is_pattern = !image.image;
     const bool is_uv = own.is_uv || own.texture->has_own_place();
     glint::Texture texture = image;
     const Color& emission = own.texture->finish.emission;
     if (!(emission == Color{0, 0, 0})) texture.mix = TextureMix::multiply_all;
-    if (is_uv) {
+    if (is_uv && is_pattern) report({"uv_mapping", "of a pattern", stream_.call_place(at)});
+    if (is_uv && !is_pattern) {
         if (image.mapping != TextureMapping::planar)
             report({"uv_mapping", "of an image_map with a map_type", stream_.call_place(at)});
         // u and v are the pattern's x and y.
@@ -44,9 +46,9 @@ std::uint32_t SceneBuilder::texture_of(const Inherited& own, const Token& at) {
         if (own.uv_source == UvSource::unknown)
             report({"uv_mapping", "of a box, or of a mesh without uv_vectors", stream_.call_place(at)});
     } else {
-        const bool is_round = image.mapping != TextureMapping::planar;
-        texture.world_from_texture =
-            after(own.texture_map, is_round ? compose(pattern, k_pattern_from_round) : pattern);
+        const bool is_round = !is_pattern && image.mapping != TextureMapping::planar;
+        texture.world_from_texture = after(
+            own.texture_map, compose(pattern, is_round ? k_pattern_from_round : image.world_from_texture));
     }
     NumberTable<15>::Key key{pigment.image_number, static_cast<double>(texture.mapping),
                              static_cast<double>(texture.mix)};

@@ -40,8 +40,8 @@ std::optional<Along> along(const GradientPattern& gradient, const std::optional<
 // Nothing if the engine's gradient, of two colors, is not the same.
 std::optional<BackgroundGradient> background_of(const Pigment& pigment, const std::optional<Affine>& sky) {
     BackgroundGradient out;
-    if (pigment.image) return std::nullopt;
-    if (!pigment.missing) {
+    if (pigment.image && !pigment.gradient) return std::nullopt;
+    if (!pigment.missing && !pigment.gradient) {
         if (!is_opaque_color(pigment.color)) return std::nullopt;
         out.bottom_color = out.top_color = rgb_of(pigment.color);
         return out;

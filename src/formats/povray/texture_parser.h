@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Textures, materials and transforms, and blocks that are read over. In textures.cpp, finishes.cpp,
-// gradients.cpp, image_maps.cpp, blocks.cpp and transforms.cpp.
+// patterns.cpp, image_maps.cpp, blocks.cpp and transforms.cpp.
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -21,6 +21,14 @@ struct ImageItems {
     double filter = 0, transmit = 0;
     std::optional<ImageCurve> curve;  ///< `gamma`
     std::optional<Missing> missing;
+};
+
+/// What a block has after a pattern's word.
+struct PatternItems {
+    CountedVector<ColorMapEntry> map;
+    double frequency = 1, phase = 0;
+    std::optional<bool> is_triangle;  ///< else a ramp
+    bool is_known = true;             ///< nothing that the engine does not draw
 };
 
 class TextureParser : public ValueParser {
@@ -56,7 +64,9 @@ class TextureParser : public ValueParser {
     std::shared_ptr<const TextureImage> open_image(const ImageItems& items, glint::Texture& texture);
     bool accept_albedo();
     void read_reflection(Finish& finish);
-    std::shared_ptr<const GradientPattern> read_gradient(std::optional<Affine> map);
+    void read_pattern(Pigment& pigment, const Token& item, std::optional<Affine>& map);
+    void read_block_colors(glint::Texture& texture);
+    void read_pattern_items(PatternItems& items, std::optional<Affine>& map);
     bool read_color_map(CountedVector<ColorMapEntry>& map);
     Opaque read_interior(const Token& at);
     Affine read_matrix();

@@ -65,13 +65,7 @@ void TextureParser::read_pigment(Pigment& pigment) {
         if (item.kind != TokenKind::word) {
             return error(item, fmt::format("expected a color or a pattern, found {}", describe(item)));
         }
-        pigment.missing = missing(item, text_of(item));
-        pigment.missing->meaning = "a pattern";
-        if (item.word() == Word::k_gradient) {
-            pigment.gradient = read_gradient(map);
-        } else {
-            skip_rest();
-        }
+        read_pattern(pigment, item, map);
     }
     if (!is_placed) transform_image(pigment, map);
 }

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// Patterns of colors: checker, gradient and others, and their maps of colors. What each means was measured in
+// POV-Ray's pictures (tests/peers/patterns.py).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "formats/povray/texture_parser.h"
+#include "math/transform.h"
+
+namespace glint::povray {
+namespace {
+
+constexpr std::size_t k_max_map = 256;  // entries of a color_map; POV-Ray's limit
+
+// The axes turned: x, y, z of the mapping are x, y, z of the pattern's row.
+constexpr Affine k_same{};
+constexpr Affine k_y_is_z{{{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}}};
+constexpr Affine k_x_is_y{{{0, -1, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}}};
+
+// How the pattern's number comes from the mapping's u. periodic: u - floor(u); inward: 1 - u, 0 from u = 1
+// on; plain: u.
+enum class Range : std::uint8_t { periodic, inward, plain };
+
+struct PatternRow {
+    std::string_view word;
+    TextureMapping mapping;
+    Range range = Range::periodic;
+    bool is_triangle = false;  // without a wave of its own
+    double offset = 0;         // added to u
+    Affine pattern_from_mapping = k_same;
+};
+constexpr PatternRow k_patterns[] = {
+    {"checker", TextureMapping::checker},
+    {"gradient", TextureMapping::planar},
+    {"onion", TextureMapping::onion},
+    {"wood", TextureMapping::rings, Range::periodic, true, 0, k_y_is_z},
+    {"marble", TextureMapping::planar, Range::periodic, true},
+    {"radial", TextureMapping::cylindrical, Range::periodic, false, 0.25},
+    {"spherical", TextureMapping::onion, Range::inward},
+    {"cylindrical", TextureMapping::rings, Range::inward},
+    {"planar", TextureMapping::slabs, Range::inward, false, 0, k_x_is_y},
+    {"boxed", TextureMapping::boxes, Range::inward},
+    {"leopard", TextureMapping::leopard, Range::plain},
+};
+
+// A rotation that takes the x axis to a direction of length 1.
+Affine x_to(Vec3 d) {
+    const Vec3 least = number::abs(d.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+    const Vec3 side = normalize(cross(d, least)), up = cross(side, d);
+    return {{{d.x, side.x, up.x, 0}, {d.y, side.y, up.y, 0}, {d.z, side.z, up.z, 0}}};
+}
+
+// How `frequency`, `phase` and the wave change u: factor u + offset, wrapped. Nothing if the engine has no
+// such map.
+struct Change {
+    double factor = 1, offset = 0;
+    TextureWrap wrap = TextureWrap::repeat;
+};
+std::optional<Change> change_of(const PatternRow& row, const PatternItems& items) {
+    const bool is_triangle = items.is_triangle.value_or(row.is_triangle);
+    Change change{items.frequency, items.frequency * row.offset + items.phase, TextureWrap::repeat};
+    if (row.range == Range::inward) {
+        change = {-1, 1, TextureWrap::clamp};
+        if (items.frequency != 1 || items.phase != 0 || is_triangle) return std::nullopt;
+    } else if (row.range == Range::periodic && std::floor(items.frequency) != items.frequency) {
+        return std::nullopt;  // POV-Ray multiplies the fraction
+    }
+    if (is_triangle) change = {2 * change.factor, 2 * change.offset, TextureWrap::mirror};
+    return change;
+}
+
+}  // namespace
+
+// The pattern of this word, after it, or nothing if it is not drawn: the pigment is `missing` then. Reads the
+// rest of the block. map: of the transforms in the block.
+void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optional<Affine>& map) {
+    const auto row = std::find_if(std::begin(k_patterns), std::end(k_patterns),
+                                  [&](const PatternRow& p) { return p.word == text_of(item); });
+    pigment.missing = missing(item, text_of(item));
+    pigment.missing->meaning = "a pattern";
+    if (row == std::end(k_patterns)) return skip_rest();
+    glint::Texture texture;
+    texture.mapping = row->mapping;
+    texture.world_from_texture = row->pattern_from_mapping;
+    PatternItems items;
+    Vec3 axis{1, 0, 0};
+    const bool is_block = row->mapping == TextureMapping::checker;
+    if (is_block) read_block_colors(texture);
+    if (row->word == "gradient") {
+        const Token at = peek();
+        axis = vector();
+        if (!failed() && axis == Vec3{0, 0, 0}) error(at, "expected a gradient other than 0");
+        axis = normalize(axis);  // its length does not count in POV-Ray
+        texture.world_from_texture = x_to(axis);
+    }
+    read_pattern_items(items, map);
+    if (failed()) return;
+    if (row->word == "gradient" && items.is_known && change_of(*row, items) && items.frequency == 1 &&
+        items.phase == 0) {
+        auto gradient = make_counted<GradientPattern>();
+        *gradient = {axis, items.map, map};
+        pigment.gradient = std::move(gradient);
+    }
+    const std::optional<Change> change = is_block ? Change{} : change_of(*row, items);
+    if (!items.is_known || !change || (!is_block && items.map.empty())) return;
+    bool has_filter = false;
+    for (const ColorMapEntry& entry : items.map) {
+        const double filter = entry.color[3], transmit = entry.color[4];
+        has_filter = has_filter || filter != 0;
+        texture.color_map.push_back({std::clamp(entry.at, 0.0, 1.0), rgb_of(entry.color),
+                                     std::clamp(1 - filter - transmit, 0.0, 1.0)});
+        if (texture.color_map.size() > 1) {
+            double& at = texture.color_map.back().at;
+            at = std::max(at, (texture.color_map.end() - 2)->at);
+        }
+    }
+    texture.uv_map.m[0][0] = change->factor;
+    texture.uv_map.m[0][2] = change->offset;
+    texture.wrap_u = change->wrap;
+    pigment.missing.reset();
+    if (has_filter)
+        pigment.missing = {"filter", "of a map of colors: it is drawn as transmit", call_place(item)};
+    pigment.color = {1, 1, 1, 0, 0};
+    pigment.image = make_counted<const glint::Texture>(std::move(texture));
+    pigment.map.reset();
+    pigment.image_number = ++images_;
+}
+
+// The colors of a checker, which has blue and green by itself.
+void TextureParser::read_block_colors(glint::Texture& texture) {
+    texture.filter = TextureFilter::nearest;
+    texture.color_map = {{0, {0, 0, 1}}, {0.5, {0, 1, 0}}};
+    for (TextureColor& entry : texture.color_map) {
+        const Token next = peek();
+        const bool is_name =
+            next.kind == TokenKind::word && !Names::is_reserved(next.name) && find_value(next) != nullptr;
+        if (failed() || !(begins_color(next) || begins_number(next) || is_name)) return;
+        const std::array<double, 5> c = color(true);
+        entry.color = rgb_of(c);
+        entry.alpha = std::clamp(1 - c[3] - c[4], 0.0, 1.0);
+        accept(',');
+    }
+}
+
+void TextureParser::read_pattern_items(PatternItems& items, std::optional<Affine>& map) {
+    while (!failed() && !peek().is('}')) {
+        if (read_transform_item(map)) continue;
+        if (accept(Word::k_color_map) || accept(Word::k_colour_map)) {
+            items.is_known = read_color_map(items.map) && items.is_known;
+            continue;
+        }
+        const Token item = peek();
+        const std::string_view word = item.kind == TokenKind::word ? text_of(item) : std::string_view();
+        if (word == "frequency" || word == "phase") {
+            take();
+            (word == "phase" ? items.phase : items.frequency) = number();
+        } else if (word == "ramp_wave" || word == "triangle_wave") {
+            take();
+            items.is_triangle = word == "triangle_wave";
+        } else {
+            items.is_known = false;
+            skip_rest();
+        }
+    }
+}
+
+// { [number color] ... }; also [number number color color]. False if the map is the name of one.
+bool TextureParser::read_color_map(CountedVector<ColorMapEntry>& map) {
+    if (!expect('{')) return false;
+    while (!failed() && !accept('}')) {
+        const Token at = peek();
+        if (!at.is('[')) {
+            skip_rest();
+            continue;
+        }
+        take();
+        ColorMapEntry entry{number(), {}};
+        std::optional<double> second;
+        accept(',');
+        const Numbers next = begins_color(peek()) ? color_value() : expression();
+        if (next.terms == 1) {
+            second = next.v[0];
+            accept(',');
+            entry.color = color(true);
+        } else {
+            entry.color = promoted(next, 5).v;
+        }
+        map.push_back(entry);
+        accept(',');
+        if (second) map.push_back({*second, color(true)});
+        expect(']');
+        accept(',');
+        if (map.size() > k_max_map) error(at, fmt::format("expected at most {} entries", k_max_map));
+    }
+    return !failed() && !map.empty();
+}
+
+}  // namespace glint::povray

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Patterns of colors in POV-Ray's scenes, which glint reads as they are."""
+from lights import Rule
+
+FINISH = "finish { ambient 0.4 diffuse 0.6 phong 0.3 phong_size 20 }"
+HEAD = ("#version 3.7; global_settings { assumed_gamma 1 }\n"
+        "camera { location <0.6, 1, -4> look_at <0, 0.3, 0> angle 50 }\n"
+        "light_source { <2, 3, -5>, rgb 1 }\n")
+FLOOR = "plane { y, -1 pigment { rgb <0.2, 0.4, 0.6> } }\n"
+BALL = "sphere { 0, 1 %s }\n"
+MAP = "color_map { [0 rgb <0.9, 0.2, 0.1>] [0.3 rgb <0.1, 0.6, 0.2>] [0.3 rgb <0.2, 0.3, 0.9>] [0.8 rgb <1, 0.9, 0.3>] }"
+PLACE = "scale <0.4, 0.5, 0.6> rotate <20, 0, 40> translate <0.2, 0.1, 0.3>"
+
+
+def rule(name, objects):
+    return Rule("pattern_" + name, "povray", HEAD + objects, "")
+
+
+def pigment(pattern, after=""):
+    return f"pigment {{ {pattern} {after} }} {FINISH}"
+
+
+def mapped(pattern, after=PLACE):
+    return pigment(f"{pattern} {MAP}", after)
+
+
+# A border of the pattern in a surface: its side there is within 1e-10.
+CHECKER = "checker rgb <0.9, 0.2, 0.1> rgb <0.2, 0.3, 0.9>"
+RULES = [
+    rule("checker", BALL % pigment(CHECKER, PLACE)),
+    rule("checker_default", BALL % pigment("checker", PLACE)),
+    rule("checker_commas", BALL % pigment("checker color rgb <0.9, 0.2, 0.1>, color rgb 0.8", "scale 0.3")),
+    rule("checker_names", "#declare A = rgb <0.9, 0.2, 0.1>; #declare B = color rgb 0.8;\n" + BALL % pigment("checker A B", "scale 0.3")),
+    rule("checker_transmit", FLOOR + BALL % pigment("checker rgbt <0.9, 0.2, 0.1, 0.6> rgb 0.8", PLACE)),
+    rule("checker_floor", "plane { y, 0 %s }\n" % pigment(CHECKER)),
+    rule("checker_floor_lower", "plane { y, -1 %s }\n" % pigment(CHECKER, "scale 0.5")),
+    rule("checker_box", "box { -1, 1 %s rotate y*30 }\n" % pigment(CHECKER, "translate 0.5")),
+    rule("checker_moved", "union { sphere { <-0.5, 0, 0>, 0.7 } box { 0, 0.9 } %s scale 0.8 rotate <10, 20, 30> }\n" % pigment(CHECKER, "scale 0.3")),
+    rule("checker_declared", f"#declare T = texture {{ {pigment(CHECKER, 'scale 0.2')} }}\n" +
+         BALL % "texture { T rotate 30*z }" + "box { <1.1, 0, 0>, <1.8, 1, 1> texture { T scale 2 } }\n"),
+    rule("checker_mirror", BALL % (f"pigment {{ {CHECKER} scale 0.4 }} finish {{ ambient 0.2 diffuse 0.5 reflection 0.3 }}") +
+         "plane { y, -1 %s }\n" % pigment(CHECKER)),
+    rule("gradient", BALL % mapped("gradient x")),
+    rule("gradient_diagonal", BALL % mapped("gradient <1, 2, -3>")),
+    rule("gradient_negative", BALL % mapped("gradient -y")),
+    rule("gradient_frequency", BALL % mapped("gradient y frequency 3 phase 0.2")),
+    rule("gradient_triangle", BALL % mapped("gradient y triangle_wave frequency 2 phase 0.1")),
+    rule("gradient_transmit", FLOOR + BALL % pigment("gradient y color_map { [0 rgb <0.9, 0.2, 0.1>] [1 rgbt <0.1, 0.6, 0.9, 0.8>] }",
+                                                     "scale 0.7")),
+    rule("gradient_old_map", BALL % pigment("gradient y color_map { [0, 0.4 color rgb <0.9, 0.2, 0.1> color rgb 0.8]"
+                                            " [0.4, 1 color rgb <0.1, 0.2, 0.9> color rgb y] }", "scale 0.7")),
+    rule("onion", BALL % mapped("onion")),
+    rule("onion_frequency", BALL % mapped("onion frequency 2 phase 0.3")),
+    rule("wood", BALL % mapped("wood")),
+    rule("wood_ramp", BALL % mapped("wood ramp_wave")),
+    rule("marble", BALL % mapped("marble")),
+    rule("radial", BALL % mapped("radial")),
+    rule("radial_frequency", BALL % mapped("radial frequency 6")),
+    rule("spherical", BALL % mapped("spherical", "scale 1.3 translate 0.4*x")),
+    rule("cylindrical", BALL % mapped("cylindrical", "rotate 20*z")),
+    rule("planar", BALL % mapped("planar", "rotate 20*z")),
+    rule("boxed", BALL % mapped("boxed", "scale 1.3 translate 0.4*x")),
+    rule("leopard", BALL % mapped("leopard", "scale 0.1")),
+]
