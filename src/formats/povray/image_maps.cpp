@@ -112,8 +112,8 @@ std::shared_ptr<const TextureImage> TextureParser::open_image(const ImageItems& 
     const ReadText from{state.texts[at.text], at.text, true};
     glint::Token place;
     place.offset = at.offset, place.length = text_of(at).size();
-    const auto image = texture_image_of_file(state, from, place, items.name, texture.file,
-                                             "the surfaces have the color of the pigment without it");
+    auto image = texture_image_of_file(state, from, place, items.name, texture.file,
+                                       "the surfaces have the color of the pigment without it");
     if (!image) return nullptr;
     const bool is_new = version_.value_or(0) >= 3.7;
     const ImageCurve of_scene{is_gamma_srgb_, is_gamma_srgb_ ? 1 : gamma_.value_or(1)};
@@ -136,7 +136,7 @@ std::shared_ptr<const TextureImage> TextureParser::open_image(const ImageItems& 
     const std::uint64_t bytes = std::uint64_t{image->width} * image->height * image->channels() * 2;
     if (!has_room(bytes, items.name_at)) return nullptr;
     state.memory.add(bytes);
-    const auto made = std::make_shared<const TextureImage>(with_curve(*image, *of_file, of_scene));
+    auto made = std::make_shared<const TextureImage>(with_curve(*image, *of_file, of_scene));
     graded_.push_back({image, made, *of_file, of_scene});
     return made;
 }
