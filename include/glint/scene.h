@@ -231,6 +231,9 @@ struct BackgroundGradient {
     Color bottom_color{1, 1, 1}, top_color{0.2, 0.4, 0.8};
     /// Beyond `bottom` and `top` the colors repeat (POV-Ray's sky_sphere with `gradient`).
     bool repeats = false;
+    /// In place of the two colors, 1 to k_max_texture_colors in the order of `at`, from 0 at `bottom` to 1 at
+    /// `top`; linear between them, constant before the first and after the last. Each alpha is 1.
+    std::vector<TextureColor> color_map{};
 
     friend bool operator==(const BackgroundGradient&, const BackgroundGradient&) = default;
 };

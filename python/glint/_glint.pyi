@@ -336,6 +336,7 @@ class BackgroundGradient:
         bottom_color: ColorLike = ...,
         top_color: ColorLike = ...,
         repeats: bool = ...,
+        color_map: Any = ...,
     ) -> None: ...
     kind: GradientKind
     up: _VectorField
@@ -344,6 +345,7 @@ class BackgroundGradient:
     bottom_color: _ColorField
     top_color: _ColorField
     repeats: bool
+    color_map: _ColorMapField
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> BackgroundGradient: ...
     def __deepcopy__(self, memo: Dict[Any, Any]) -> BackgroundGradient: ...

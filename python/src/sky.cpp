@@ -28,11 +28,24 @@ void bind_item(py::module_& m, const char* name, const char* word_name, Word Ite
     cls.def(py::init([=](const std::string& text, const py::kwargs& keywords) {
                 Box item;
                 item.value.*word = read_word<Word>(word_name, text);
-                set_fields(item.value, keywords, name);
+                static constexpr std::string_view colors[] = {"color_map"};
+                constexpr bool has_colors = requires { item.value.color_map; };
+                set_fields(item.value, keywords, name, std::span(colors).first(has_colors ? 1 : 0));
+                if constexpr (has_colors) {
+                    if (keywords.contains("color_map"))
+                        item.value.color_map = to_color_map(keywords["color_map"]);
+                }
                 return std::make_shared<Box>(item);
             }),
             py::arg(word_name) = std::string(to_string(Word{0})));
     bind_fields<Item>(cls, &Box::value);
+    if constexpr (requires(Item item) { item.color_map; }) {
+        cls.def_property(
+            "color_map", [](const Box& b) { return to_python(b.value.color_map); },
+            [](Box& b, const py::object& colors) { b.value.color_map = to_color_map(colors); },
+            "In place of the two colors, 1 to 256 of (place, color), by place: 0 is at `bottom`, 1 at `top`; "
+            "None: the two");
+    }
     cls.def_property(
            word_name, [=](const Box& b) { return std::string(to_string(b.value.*word)); },
            [=](Box& b, const std::string& text) { b.value.*word = read_word<Word>(word_name, text); },
@@ -44,7 +57,12 @@ void bind_item(py::module_& m, const char* name, const char* word_name, Word Ite
         .def("__repr__", [=](const Box& b) {
             Item usual;
             usual.*word = b.value.*word;
-            const std::string fields = changed_fields(b.value, usual);
+            std::string fields = changed_fields(b.value, usual);
+            if constexpr (requires { usual.color_map; }) {
+                if (!b.value.color_map.empty())
+                    fields += (fields.empty() ? "color_map=" : ", color_map=") +
+                              repr_of(to_python(b.value.color_map));
+            }
             return fmt::format("{}('{}'{}{})", name, to_string(b.value.*word), fields.empty() ? "" : ", ",
                                fields);
         });
@@ -56,7 +74,7 @@ void bind_item(py::module_& m, const char* name, const char* word_name, Word Ite
 
 bool same(const Occlusion& a, const Occlusion& b) { return a.method == b.method && same_fields(a, b); }
 bool same(const BackgroundGradient& a, const BackgroundGradient& b) {
-    return a.kind == b.kind && same_fields(a, b);
+    return a.kind == b.kind && same_fields(a, b) && a.color_map == b.color_map;
 }
 
 void bind_sky(py::module_& m) {

@@ -115,26 +115,9 @@ py::object texels_of(const TextureBox& texture) {
         image->words);
 }
 
-// (place, color) or (place, color, alpha).
-TextureColor to_map_color(const py::handle& value, std::size_t number) {
-    const std::string name = fmt::format("color_map: color {}", number + 1);
-    if (!py::isinstance<py::sequence>(value) || py::isinstance<py::str>(value) || py::len(value) < 2 ||
-        py::len(value) > 3)
-        throw py::value_error(fmt::format("{}: expected (place, color) or (place, color, alpha), found {}",
-                                          name, repr_of(value)));
-    const auto parts = value.cast<py::sequence>();
-    TextureColor color{to_number(parts[0], name + ": place", k_fraction),
-                       to_color(parts[1], name, k_channel)};
-    if (parts.size() == 3) color.alpha = to_number(parts[2], name + ": alpha", k_fraction);
-    return color;
-}
-
 void set_color_map(TextureBox& texture, const py::handle& value) {
     Texture made = texture.value;
-    made.color_map.clear();
-    if (!value.is_none())
-        for (const py::handle& color : value)
-            made.color_map.push_back(to_map_color(color, made.color_map.size()));
+    made.color_map = to_color_map(value);
     if (made.color_map.empty() && !made.image)
         throw py::value_error("color_map: expected colors, as the texture has no image");
     if (!made.color_map.empty()) {
@@ -143,16 +126,6 @@ void set_color_map(TextureBox& texture, const py::handle& value) {
         if (const std::string mistake = mistake_in(made); !mistake.empty()) throw py::value_error(mistake);
     }
     texture.value = std::move(made);
-}
-
-py::object color_map_of(const TextureBox& texture) {
-    if (texture.value.color_map.empty()) return py::none();
-    py::list colors;
-    for (const TextureColor& c : texture.value.color_map) {
-        const py::tuple color(to_python(c.color));
-        colors.append(c.alpha == 1 ? py::make_tuple(c.at, color) : py::make_tuple(c.at, color, c.alpha));
-    }
-    return colors;
 }
 
 void set_map(TextureBox& texture, const py::handle& matrix) {
@@ -183,7 +156,7 @@ std::string describe(const TextureBox& texture) {
     if (value.image)
         text = fmt::format("Texture(<{} x {} texels{}>", value.image->width, value.image->height,
                            value.image->has_alpha ? " with alpha" : "");
-    if (!value.color_map.empty()) text = "Texture(color_map=" + repr_of(color_map_of(texture));
+    if (!value.color_map.empty()) text = "Texture(color_map=" + repr_of(to_python(texture.value.color_map));
     if (const std::string fields = changed_fields(value, Texture{}, texture.name); !fields.empty())
         text += ", " + fields;
     if (!(value.world_from_texture == Affine{}))
@@ -215,10 +188,11 @@ void bind_textures(py::module_& m) {
                      "The texels, a read-only array of height x width x 3 or 4 of uint8 or uint16, the first "
                      "row at the top. They do not change in place: assign another array, a file's name, or "
                      "bytes.")
-        .def_property("color_map", &color_map_of, &set_color_map,
-                      "In place of an image: 1 to 256 of (place, color) or (place, color, alpha), by place, "
-                      "a number of u "
-                      "from 0 to 1; None: there is an image")
+        .def_property(
+            "color_map", [](const TextureBox& t) { return to_python(t.value.color_map); }, &set_color_map,
+            "In place of an image: 1 to 256 of (place, color) or (place, color, alpha), by place, "
+            "a number of u "
+            "from 0 to 1; None: there is an image")
         .def_property(
             "world_from_texture", [](const TextureBox& t) { return to_python(t.value.world_from_texture); },
             &set_map,

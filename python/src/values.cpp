@@ -8,6 +8,8 @@
 #include <map>
 #include <utility>
 
+#include "scene/validate_texture.h"
+
 namespace glint::python {
 namespace {
 
@@ -167,6 +169,35 @@ Affine to_affine(const py::handle& value, std::string_view name) {
     Affine a;
     std::memcpy(a.m, matrix.data(), sizeof(a.m));
     return a;
+}
+
+py::object to_python(const std::vector<TextureColor>& colors) {
+    if (colors.empty()) return py::none();
+    py::list list;
+    for (const TextureColor& c : colors) {
+        const py::tuple color(to_python(c.color));
+        list.append(c.alpha == 1 ? py::make_tuple(c.at, color) : py::make_tuple(c.at, color, c.alpha));
+    }
+    return list;
+}
+
+std::vector<TextureColor> to_color_map(const py::handle& value) {
+    std::vector<TextureColor> colors;
+    if (value.is_none()) return colors;
+    for (const py::handle& item : value) {
+        const std::string name = fmt::format("color_map: color {}", colors.size() + 1);
+        if (!py::isinstance<py::sequence>(item) || py::isinstance<py::str>(item) || py::len(item) < 2 ||
+            py::len(item) > 3)
+            throw py::value_error(fmt::format(
+                "{}: expected (place, color) or (place, color, alpha), found {}", name, repr_of(item)));
+        const auto parts = item.cast<py::sequence>();
+        TextureColor color{to_number(parts[0], name + ": place", k_fraction),
+                           to_color(parts[1], name, k_channel)};
+        if (parts.size() == 3) color.alpha = to_number(parts[2], name + ": alpha", k_fraction);
+        colors.push_back(color);
+    }
+    if (const std::string mistake = mistake_in(colors); !mistake.empty()) throw py::value_error(mistake);
+    return colors;
 }
 
 }  // namespace glint::python

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "glint/scene.h"
 #include "scene/ranges.h"
@@ -26,6 +27,8 @@ py::object to_python(bool x);
 py::object to_python(const Vec3& v);
 py::object to_python(const Color& c);
 py::object to_python(const Attenuation& a);
+/// A list of (place, color) or (place, color, alpha); None without colors.
+py::object to_python(const std::vector<TextureColor>& colors);
 
 // From Python: `name` is for messages. Each throws TypeError or ValueError.
 
@@ -39,6 +42,8 @@ Vec3 to_direction(const py::handle& value, std::string_view name);
 /// name. Of uint8, 255 is 1.
 Color to_color(const py::handle& value, std::string_view name, const Range& range);
 Attenuation to_attenuation(const py::handle& value, std::string_view name);
+/// Colors as to_python() makes them; none for None.
+std::vector<TextureColor> to_color_map(const py::handle& value);
 /// From a matrix of 3x4 or 4x4.
 Affine to_affine(const py::handle& value, std::string_view name);
 py::object to_python(const Affine& a);

@@ -317,3 +317,19 @@ def test_maps_of_colors_are_refused():
     for arguments in ({}, {"image": TEXELS, "color_map": [(0, 1)]}):
         with pytest.raises(TypeError, match="expected an image or a color_map"):
             glint.Texture(**arguments)
+
+
+def test_the_background_has_a_map_of_colors():
+    scene = glint.Scene(size=(4, 64))
+    scene.add(glint.Sphere((0, 0, 9), 1))
+    scene.add(glint.Light("ambient"))
+    scene.camera.position, scene.camera.look_at = (0, 0, 0), (0, 0, -1)
+    scene.gradient = glint.BackgroundGradient(bottom=-1, top=1, color_map=[(0, "red"), (0.5, "white"), (1, "blue")])
+    assert eval(repr(scene.gradient), {"BackgroundGradient": glint.BackgroundGradient}) == scene.gradient
+    assert pickle.loads(pickle.dumps(scene.gradient)) == scene.gradient == copy.copy(scene.gradient)
+    before = scene.render().array
+    scene.gradient.color_map = [(0, "red"), (0.5, "lime"), (1, "blue")]
+    after = scene.render().array
+    assert (before != after).any() and after[:, :, 1].max() > 0.9 > 0.5 > after[:, :, 0].min()
+    with pytest.raises(ValueError, match="color_map: expected places in ascending order"):
+        scene.gradient.color_map = [(1, "red"), (0, "blue")]

@@ -175,7 +175,10 @@ std::string text_report(const SceneReport& report) {
     fmt::format_to(out, "background  {}\n", rounded(scene.background));
     if (scene.gradient)
         fmt::format_to(out, "gradient    {}\n",
-                       block_text(to_string(scene.gradient->kind), *scene.gradient, k_gradient_fields));
+                       block_text(to_string(scene.gradient->kind), *scene.gradient, k_gradient_fields) +
+                           (scene.gradient->color_map.empty()
+                                ? ""
+                                : fmt::format("  color map of {}", scene.gradient->color_map.size())));
     if (scene.fog)
         fmt::format_to(out, "fog         {}\n",
                        block_text(to_string(scene.fog->kind), *scene.fog, k_fog_fields));

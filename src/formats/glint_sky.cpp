@@ -2,21 +2,24 @@
 // occlusion { } and background_gradient { } of glint's own language.
 #include <fmt/format.h>
 
+#include <type_traits>
+
 #include "formats/field_keys.h"
 #include "formats/glint_blocks.h"
+#include "formats/glint_color_map.h"
 #include "scene/sky_fields.h"
 
 namespace glint {
 namespace {
 
-enum { k_word };  // the key `method` or `type`
+enum { k_word, k_color_map };  // the key `method` or `type`; only of the gradient
 
 const FieldKeys<Occlusion>& occlusion_keys() {
     static const FieldKeys<Occlusion> keys({{"method"}}, k_occlusion_fields);
     return keys;
 }
 const FieldKeys<BackgroundGradient>& gradient_keys() {
-    static const FieldKeys<BackgroundGradient> keys({{"type"}}, k_gradient_fields);
+    static const FieldKeys<BackgroundGradient> keys({{"type"}, {"color_map"}}, k_gradient_fields);
     return keys;
 }
 
@@ -49,7 +52,11 @@ bool read_once(GlintText& t, const Token& word, std::string_view name, const Fie
     const auto errors = t.reading.diagnostics.error_count();
     const bool whole = t.blocks.fields(set, word, [&](int key, const Token& token) {
         tokens[key] = token;
-        return key == k_word ? read_word(t, item.*kind) : read_field(t, *keys.field(key), item);
+        if (key == k_word) return read_word(t, item.*kind);
+        if constexpr (std::is_same_v<Item, BackgroundGradient>) {
+            if (key == k_color_map) return read_color_map(t, token, false, item.color_map);
+        }
+        return read_field(t, *keys.field(key), item);
     });
     if (!whole || errors != t.reading.diagnostics.error_count()) return false;
     if (to) t.p.warn(word, fmt::format("a second {}: the last one holds", name));

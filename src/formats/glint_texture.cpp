@@ -7,6 +7,7 @@
 #include <array>
 
 #include "formats/glint_blocks.h"
+#include "formats/glint_color_map.h"
 #include "formats/glint_item.h"
 #include "formats/texture_file.h"
 #include "math/transform.h"
@@ -111,41 +112,6 @@ std::shared_ptr<const TextureImage> read_texels(GlintText& t) {
     return image;
 }
 
-// Reads a color of `color_map`: (place, color) or (place, color, alpha). False after an error.
-bool read_map_color(GlintText& t, TextureColor& color) {
-    if (!t.p.token().is('(')) {
-        t.p.expected("a place and a color: `(0, (1, 1, 1))`");
-        return false;
-    }
-    t.p.take();
-    const ValueReader read{t};
-    if (!t.p.number(color.at, k_fraction) || !t.p.expect(',')) return false;
-    if (!read(ColorType{k_channel, ColorUse::surface}, color.color)) return false;
-    if (t.p.accept(',') && !t.p.token().is(')') && !t.p.number(color.alpha, k_fraction)) return false;
-    return t.p.expect(')');
-}
-
-std::vector<TextureColor> read_color_map(GlintText& t) {
-    std::vector<TextureColor> colors;
-    read_list(t, "places and colors `(0, (1, 1, 1))`", [&] {
-        const Token at = t.p.token();
-        TextureColor color;
-        if (!read_map_color(t, color)) return false;
-        if (colors.size() == k_max_texture_colors) {
-            t.p.error(at, fmt::format("expected at most {} colors", k_max_texture_colors));
-            return false;
-        }
-        if (!colors.empty() && color.at < colors.back().at) {
-            t.p.error(at, fmt::format("expected a place of at least {}, that of the color before, found {}",
-                                      colors.back().at, color.at));
-            return false;
-        }
-        colors.push_back(color);
-        return true;
-    });
-    return colors;
-}
-
 }  // namespace
 
 std::span<const Field> glint_texture_keys() { return k_texture_keys; }
@@ -201,11 +167,7 @@ void GlintTextures::read_block(GlintText& t, const Token& word) {
         }
         if (field == k_texture_color_map) {
             ++sources;
-            const auto errors = t.reading.diagnostics.error_count();
-            texture.color_map = read_color_map(t);
-            if (texture.color_map.empty() && errors == t.reading.diagnostics.error_count())
-                t.p.error(at, "expected at least one color in `color_map`");
-            return !texture.color_map.empty();
+            return read_color_map(t, at, true, texture.color_map);
         }
         if (field < k_first_texture_map)
             return read_field(t, k_texture_fields[field - k_first_texture_field], texture);

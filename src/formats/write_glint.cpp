@@ -165,6 +165,7 @@ class GlintWriter {
         for (const ItemField<Item>& field : fields) {
             if (!same_bits(field, *item, Item{})) write_field(block_, field, *item);
         }
+        if constexpr (requires { item->color_map; }) write_color_map(block_, item->color_map);
         end(kind, 0);
     }
 

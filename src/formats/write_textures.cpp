@@ -33,7 +33,10 @@ void write_texels(BlockWriter& block, const TextureImage& image) {
     text += ')';
 }
 
+}  // namespace
+
 void write_color_map(BlockWriter& block, const std::vector<TextureColor>& colors) {
+    if (colors.empty()) return;
     std::string& text = block.key("color_map");
     text += '(';
     for (const TextureColor& color : colors) {
@@ -46,8 +49,6 @@ void write_color_map(BlockWriter& block, const std::vector<TextureColor>& colors
     }
     text += ')';
 }
-
-}  // namespace
 
 void write_textures(BlockWriter& block, const Scene& scene, const MaterialPlan& plan,
                     const SceneComments& comments) {

@@ -175,6 +175,14 @@ class Validator {
         constexpr std::string_view of = "the background gradient";
         if (gradient.kind > GradientKind::plane) error(place, fmt::format("{}: no such kind", of));
         check_fields<BackgroundGradient>(k_gradient_fields, gradient, place, of);
+        if (const std::string mistake = glint::mistake_in(gradient.color_map); !mistake.empty())
+            error(place, fmt::format("{}: {}", of, mistake));
+        for (const TextureColor& color : gradient.color_map) {
+            if (color.alpha == 1) continue;
+            error(place, fmt::format("{}: color_map: expected colors without alpha, found an alpha of {}", of,
+                                     color.alpha));
+            break;
+        }
         if (!(gradient.top > gradient.bottom))
             error(place, fmt::format("{}: top: expected a number above bottom {}, found {}", of,
                                      gradient.bottom, gradient.top));

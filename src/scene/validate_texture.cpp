@@ -9,8 +9,6 @@
 
 namespace glint {
 
-namespace {
-
 std::string mistake_in(const std::vector<TextureColor>& colors) {
     if (colors.size() > k_max_texture_colors)
         return fmt::format("color_map: expected at most {} colors, found {}", k_max_texture_colors,
@@ -30,8 +28,6 @@ std::string mistake_in(const std::vector<TextureColor>& colors) {
     }
     return {};
 }
-
-}  // namespace
 
 std::string mistake_in(const Texture& texture) {
     if (!texture.color_map.empty())

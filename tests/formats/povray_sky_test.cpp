@@ -46,10 +46,38 @@ TEST(PovRaySky, OneColorAndTwoNumbersOfAnEntry) {
               (Color{1, 1, 1}));
 }
 
+TEST(PovRaySky, AGradientOfOtherColorsHasAMap) {
+    const BackgroundGradient sky =
+        sky_of("pigment { gradient y color_map { [0 rgb 0] [.5 rgb 1] [.5 rgb x] [.75 rgb y] } }");
+    EXPECT_EQ(sky.color_map, (std::vector<TextureColor>{
+                                 {0, {0, 0, 0}}, {.5, {1, 1, 1}}, {.5, {1, 0, 0}}, {.75, {0, 1, 0}}}));
+    EXPECT_EQ(sky.bottom, 0);
+    EXPECT_EQ(sky.top, 1);
+    EXPECT_TRUE(sky.repeats);
+    EXPECT_EQ(sky_of("pigment { gradient y color_map { [0 rgb 0] [.5 rgb 1] } }").color_map.size(), 2u);
+    EXPECT_FALSE(
+        sky_of("pigment { gradient y color_map { [0 rgb 0] [.2 rgb 1] [1 rgb x] } scale 2 translate -1 }")
+            .repeats);
+}
+
+TEST(PovRaySky, PlanarIsTheSameAboveAndBelow) {
+    const BackgroundGradient sky =
+        sky_of("pigment { planar color_map { [0 rgb 0] [.5 rgb x] [1 rgb 1] } scale .5 }");
+    EXPECT_EQ(sky.bottom, -.5);
+    EXPECT_EQ(sky.top, .5);
+    EXPECT_FALSE(sky.repeats);
+    EXPECT_EQ(sky.color_map, (std::vector<TextureColor>{{0, {0, 0, 0}},
+                                                        {.25, {1, 0, 0}},
+                                                        {.5, {1, 1, 1}},
+                                                        {.5, {1, 1, 1}},
+                                                        {.75, {1, 0, 0}},
+                                                        {1, {0, 0, 0}}}));
+}
+
 TEST(PovRaySky, OtherPatternsAreNamed) {
     for (const char* const items : {
-             "pigment { gradient y color_map { [0 rgb 0] [.5 rgb 1] [1 rgb 0] } }",
-             "pigment { gradient y color_map { [0 rgb 0] [.5 rgb 1] } }",
+             "pigment { gradient y color_map { [0 rgb 0] [1 rgb 1] } triangle_wave }",
+             "pigment { onion color_map { [0 rgb 0] [1 rgb 1] } }",
              "pigment { gradient y color_map { [0 rgb 0] [1 rgb 1] } turbulence .2 }",
              "pigment { gradient y color_map { [0 rgbt 0] [1 rgbt 1] } }",
              "pigment { bozo color_map { [0 rgb 0] [1 rgb 1] } }",

@@ -24,6 +24,10 @@ def mapped(pattern, after=PLACE):
     return pigment(f"{pattern} {MAP}", after)
 
 
+def sky(name, items):
+    return rule(name, BALL % "pigment { rgb 0.5 } finish { ambient 0 diffuse 0.2 reflection 0.7 }" + f"sky_sphere {{ {items} }}\n")
+
+
 # A border of the pattern in a surface: its side there is within 1e-10.
 CHECKER = "checker rgb <0.9, 0.2, 0.1> rgb <0.2, 0.3, 0.9>"
 RULES = [
@@ -60,5 +64,10 @@ RULES = [
     rule("cylindrical", BALL % mapped("cylindrical", "rotate 20*z")),
     rule("planar", BALL % mapped("planar", "rotate 20*z")),
     rule("boxed", BALL % mapped("boxed", "scale 1.3 translate 0.4*x")),
+    sky("sky_gradient", f"pigment {{ gradient y {MAP} }}"),
+    sky("sky_one_period", f"pigment {{ gradient y {MAP} scale 2 translate -1 }}"),
+    sky("sky_turned", f"pigment {{ gradient <1, 2, 0> {MAP} scale 0.3 rotate 30*z }} rotate <10, 20, 30>"),
+    sky("sky_planar", f"pigment {{ planar {MAP} }}"),
+    sky("sky_planar_scaled", f"pigment {{ planar {MAP} scale 0.4 }} rotate 20*z"),
     rule("leopard", BALL % mapped("leopard", "scale 0.1")),
 ]

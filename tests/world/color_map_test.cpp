@@ -158,5 +158,31 @@ TEST(ColorMaps, Mistakes) {
     EXPECT_EQ(mistake_in(both), "expected an image or a color_map, found both");
 }
 
+TEST(ColorMaps, OfTheBackground) {
+    const std::string text = R"(camera { position = (0, 0, 0)  look_at = (0, 0, -1)  fov_x = 90 }
+background_gradient { bottom = -0.5  top = 0.5  color_map = ((0, (1, 0, 0)), (0.5, (0, 1, 0)), (0.5, (0, 0, 1)), (1, (1, 1, 1))) }
+sphere { center = (0, 0, 9)  radius = 1 }
+light { type = ambient }
+)";
+    Scene scene = quiet_scene(text, "a.glint");
+    EXPECT_EQ(quiet_scene(write_glint(scene).value(), "b.glint").gradient, scene.gradient);
+    scene.settings.width = scene.settings.height = 16;
+    const World world = prepare(scene).value();
+    const Image image = render(world).value().image;
+    for (int y = 0; y < 16; ++y) {
+        const Explanation e = explain(scene, world, 5, y).value();
+        const Vec3 d = e.rays[0].direction;
+        const double v = std::min(std::max(d.y / length(d) + 0.5, 0.0), 1.0);
+        const float* const rgb = image.rgb.data() + 3 * (16 * y + 5);
+        const Color expected = v < 0.5 ? Color{1 - 2 * v, 2 * v, 0} : Color{2 * v - 1, 2 * v - 1, 1};
+        EXPECT_NEAR(rgb[0], expected.r, 1e-6);
+        EXPECT_NEAR(rgb[1], expected.g, 1e-6);
+        EXPECT_NEAR(rgb[2], expected.b, 1e-6);
+        for (int c = 0; c < 3; ++c) EXPECT_EQ(e.value[c], rgb[c]);
+    }
+    scene.gradient->color_map[1].alpha = 0.5;
+    EXPECT_FALSE(prepare(scene));
+}
+
 }  // namespace
 }  // namespace glint::test

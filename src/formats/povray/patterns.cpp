@@ -97,8 +97,8 @@ void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optio
     }
     read_pattern_items(items, map);
     if (failed()) return;
-    if (row->word == "gradient" && items.is_known && change_of(*row, items) && items.frequency == 1 &&
-        items.phase == 0) {
+    const bool is_plain = items.frequency == 1 && items.phase == 0 && !items.is_triangle.value_or(false);
+    if (row->word == "gradient" && items.is_known && is_plain) {
         auto gradient = make_counted<GradientPattern>();
         *gradient = {axis, items.map, map};
         pigment.gradient = std::move(gradient);

@@ -9,6 +9,7 @@
 
 #include "simd/vec3-inl.h"
 #include "trace/batches.h"
+#include "world/appearance/color_map.h"
 #include "world/world.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -36,6 +37,17 @@ HWY_INLINE Color miss_color(const WorldParts& world) {
     return world.settings.shading == Shading::normals ? Color{0, 0, 1} : world.background;
 }
 
+/// The colors of a map at a vector of numbers.
+HWY_NOINLINE inline Vector3<Doubles> map_colors(const std::vector<TextureColor>& map, Doubles v) {
+    alignas(k_ray_alignment) double at[lane_count<double>()], columns[3][lane_count<double>()];
+    store(v, at);
+    for (int k = 0; k < lane_count<double>(); ++k) {
+        const Color color = map_color(map, at[k], TextureFilter::bilinear).color;
+        columns[0][k] = color.r, columns[1][k] = color.g, columns[2][k] = color.b;
+    }
+    return {load(columns[0]), load(columns[1]), load(columns[2])};
+}
+
 /// The colors of a vector of rays that hit nothing.
 HWY_INLINE Vector3<Doubles> gradient_color(const BackgroundGradient& gradient, const RayBatch& rays,
                                            int ray) {
@@ -55,6 +67,7 @@ HWY_INLINE Vector3<Doubles> gradient_color(const BackgroundGradient& gradient, c
         v = v - select(nearest > v, nearest - Doubles(1), nearest);
     }
     v = min(max(v, Doubles(0)), Doubles(1));
+    if (!gradient.color_map.empty()) return map_colors(gradient.color_map, v);
     return lanes_of(gradient.top_color) * v + lanes_of(gradient.bottom_color) * (Doubles(1) - v);
 }
 

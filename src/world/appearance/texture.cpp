@@ -8,6 +8,7 @@
 #include "math/number.h"
 #include "math/srgb.h"
 #include "math/transform.h"
+#include "world/appearance/color_map.h"
 #include "world/geometry/mesh_surface.h"
 
 namespace glint {
@@ -86,15 +87,12 @@ Pair texels_at(double at, std::uint32_t count, TextureWrap wrap, TextureFilter f
     return {{neighbour(i, size, wrap), neighbour(i + 1, size, wrap)}, from_middle - first};
 }
 
-// The mean of two numbers is exact where they are equal.
-double mixed(double a, double b, double second) { return a + (b - a) * second; }
-
 struct Channels {
     double values[4] = {0, 0, 0, 1};
 };
 Channels mixed(const Channels& a, const Channels& b, double second) {
     Channels c;
-    for (int i = 0; i < 4; ++i) c.values[i] = mixed(a.values[i], b.values[i], second);
+    for (int i = 0; i < 4; ++i) c.values[i] = glint::mixed(a.values[i], b.values[i], second);
     return c;
 }
 
@@ -135,19 +133,9 @@ double leopard(Vec3 p) {
 
 // The color map at u from 0 to 1.
 TextureSample sample_colors(const PreparedTexture& texture, TexturePlace place, double u) {
-    const auto& colors = texture.color_map;
-    const auto next = std::upper_bound(colors.begin(), colors.end(), u,
-                                       [](double at, const TextureColor& color) { return at < color.at; });
-    const auto last = next == colors.begin() ? next : next - 1, second = next == colors.end() ? last : next;
-    TextureSample sample{place, {}, {}, 0, 0, last->color, last->alpha};
-    sample.columns[0] = sample.columns[1] = static_cast<std::int32_t>(last - colors.begin());
-    if (texture.filter == TextureFilter::nearest || second == last) return sample;
-    sample.columns[1] = static_cast<std::int32_t>(second - colors.begin());
-    sample.right = (u - last->at) / (second->at - last->at);
-    const auto between = [&](double a, double b) { return mixed(a, b, sample.right); };
-    sample.color = {between(last->color.r, second->color.r), between(last->color.g, second->color.g),
-                    between(last->color.b, second->color.b)};
-    sample.alpha = between(last->alpha, second->alpha);
+    const MapColor found = map_color(texture.color_map, u, texture.filter);
+    TextureSample sample{place, {}, {}, found.weight, 0, found.color, found.alpha};
+    sample.columns = {static_cast<std::int32_t>(found.first), static_cast<std::int32_t>(found.second)};
     return sample;
 }
 
