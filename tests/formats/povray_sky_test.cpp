@@ -60,6 +60,23 @@ TEST(PovRaySky, AGradientOfOtherColorsHasAMap) {
             .repeats);
 }
 
+TEST(PovRaySky, ANameStandsForASkyOrAMap) {
+    const std::string colors = "{ [0 rgb 0] [.5 rgb x] [1 rgb 1] }";
+    const BackgroundGradient sky =
+        sky_of("pigment { gradient y color_map " + colors + " scale 2 } rotate 90*z");
+    const auto of_text = [](const std::string& text) {
+        const Result<Scene> result = read_povray("light_source { 9, 1 }\nsphere { 0, 1 }\n" + text);
+        EXPECT_EQ(messages(result), "") << text;
+        return result.value_or(Scene{}).gradient.value_or(BackgroundGradient{});
+    };
+    const std::string map = "#declare M = color_map " + colors + "\n";
+    EXPECT_EQ(of_text(map + "#declare S = sky_sphere { pigment { gradient y color_map { M } scale 2 } "
+                            "}\nsky_sphere { S rotate 90*z }"),
+              sky);
+    EXPECT_EQ(of_text(map + "sky_sphere { pigment { gradient y color_map { M } scale 2 } rotate 90*z }"),
+              sky);
+}
+
 TEST(PovRaySky, PlanarIsTheSameAboveAndBelow) {
     const BackgroundGradient sky =
         sky_of("pigment { planar color_map { [0 rgb 0] [.5 rgb x] [1 rgb 1] } scale .5 }");

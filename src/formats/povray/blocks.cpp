@@ -44,7 +44,7 @@ bool TextureParser::is_opaque(Word word) {
            word == Word::k_rainbow || word == Word::k_sky_sphere || word == Word::k_fog;
 }
 
-// A block that is not rendered, after its word.
+// A block that has a meaning only where it is used, after its word.
 std::shared_ptr<const Opaque> TextureParser::read_opaque(Word word, const Token& at) {
     if (word == Word::k_interior) return make_counted<const Opaque>(read_interior(at));
     if (word == Word::k_function && peek().is('(')) {
@@ -53,8 +53,15 @@ std::shared_ptr<const Opaque> TextureParser::read_opaque(Word word, const Token&
             take();
         }
     }
-    skip_block();
-    return make_counted<const Opaque>(Opaque{word, at, 1, {}});
+    Opaque out{word, at, 1, {}};
+    if (word == Word::k_color_map || word == Word::k_colour_map) {
+        read_color_map(out.map);
+    } else if (word == Word::k_sky_sphere) {
+        out.sky = read_sky_items();
+    } else {
+        skip_block();
+    }
+    return make_counted<const Opaque>(std::move(out));
 }
 
 // { [identifier] items }, after `interior`

@@ -166,11 +166,24 @@ void TextureParser::read_pattern_items(PatternItems& items, std::optional<Affine
     }
 }
 
-// { [number color] ... }; also [number number color color]. False if the map is the name of one.
+const Opaque* TextureParser::named_block(const Token& name, Word word) {
+    const Value* const value = name.kind == TokenKind::word ? find_value(name) : nullptr;
+    const auto* const held = value ? std::get_if<std::shared_ptr<const Opaque>>(value) : nullptr;
+    return held && (*held)->word == word ? held->get() : nullptr;
+}
+
+// { [identifier] [number color] ... }; also [number number color color]. False for a map without colors.
 bool TextureParser::read_color_map(CountedVector<ColorMapEntry>& map) {
     if (!expect('{')) return false;
     while (!failed() && !accept('}')) {
         const Token at = peek();
+        const Opaque* named = named_block(at, Word::k_color_map);
+        if (!named) named = named_block(at, Word::k_colour_map);
+        if (named) {
+            take();
+            map = named->map;
+            continue;
+        }
         if (!at.is('[')) {
             skip_rest();
             continue;

@@ -90,12 +90,22 @@ struct Texture {
     bool has_own_place() const { return is_uv || pigment.is_uv; }
 };
 
-/// A block that has a meaning only where it is used, and is not rendered: normal, interior, color_map, ...
+/// What a `sky_sphere` has.
+struct SkyItems {
+    std::optional<Pigment> pigment;
+    std::optional<Affine> map;
+    bool is_one = true;  ///< has one pigment
+};
+
+/// A block that has a meaning only where it is used: normal, interior, color_map, sky_sphere, ... Most are
+/// not rendered.
 struct Opaque {
     Word word = Word::k_none;
     Token at;
-    double ior = 1;       ///< of an interior
-    MissingList missing;  ///< what else of an interior counts
+    double ior = 1;                      ///< of an interior
+    MissingList missing;                 ///< what else of an interior counts
+    CountedVector<ColorMapEntry> map{};  ///< of a color_map
+    SkyItems sky{};                      ///< of a sky_sphere
 };
 
 /// The numbers of a texture that decide what its surface looks like; the pigment's red, green and blue come

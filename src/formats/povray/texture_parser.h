@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Textures, materials and transforms, and blocks that are read over. In textures.cpp, finishes.cpp,
-// patterns.cpp, image_maps.cpp, blocks.cpp and transforms.cpp.
+// patterns.cpp, sky.cpp, image_maps.cpp, blocks.cpp and transforms.cpp.
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -51,6 +51,9 @@ class TextureParser : public ValueParser {
     Affine read_transform_block();
 
     static bool is_opaque(Word word);
+    SkyItems read_sky_items();
+    /// The block of this word that a name stands for; nullptr: none.
+    const Opaque* named_block(const Token& name, Word word);
     std::shared_ptr<const Opaque> read_opaque(Word word, const Token& at);
     void skip_block();
     void skip_rest();
