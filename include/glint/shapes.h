@@ -2,7 +2,8 @@
 #pragma once
 // The parameters of shapes. A new kind adds its struct and one line to GLINT_SHAPES (docs/adding_a_shape.md).
 // If a kind has only points, directions and lengths, fields() lists them once, for validate() and the
-// scene language. It calls visit.point, visit.direction (not 0) or visit.length (> 0) for each.
+// scene language. It calls visit.point, visit.direction (not 0), visit.length (> 0) or visit.radius (>= 0,
+// and 0 if a scene file has none) for each.
 #include <cstdint>
 
 #include "glint/vec.h"
@@ -47,15 +48,17 @@ struct Cone {
     bool caps = false;
 };
 
-/// A flat disc of radius > 0 perpendicular to normal (any length except 0).
+/// A flat disc of radius > 0 perpendicular to normal (any length except 0). It has a hole of radius hole
+/// around its center, 0 <= hole < radius.
 struct Disc {
     Vec3 center;
     Vec3 normal{0, 1, 0};
-    double radius = 1;
+    double radius = 1, hole = 0;
     template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
         visit.point("center", self.center);
         visit.direction("normal", self.normal);
         visit.length("radius", self.radius);
+        visit.radius("hole", self.hole);
     }
 };
 
@@ -92,6 +95,21 @@ struct Mesh {
     std::uint32_t mesh = 0;
 };
 
+/// The points at distance tube > 0 from a circle of radius > 0 around the center, perpendicular to axis (any
+/// length except 0). The normal points away from the circle. If tube > radius, the surface intersects itself,
+/// and the space around the center that it encloses twice counts as outside.
+struct Torus {
+    Vec3 center;
+    Vec3 axis{0, 1, 0};
+    double radius = 1, tube = 0.25;
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit.point("center", self.center);
+        visit.direction("axis", self.axis);
+        visit.length("radius", self.radius);
+        visit.length("tube", self.tube);
+    }
+};
+
 // The list of kinds: X(Type, word), in the order of ShapeKind. Ties between shapes are resolved by scene
 // order.
 #define GLINT_SHAPES(X)                \
@@ -104,7 +122,8 @@ struct Mesh {
     X(Triangle, triangle)              \
     X(SmoothTriangle, smooth_triangle) \
     X(Polygon, polygon)                \
-    X(Mesh, mesh)
+    X(Mesh, mesh)                      \
+    X(Torus, torus)
 
 enum class ShapeKind : std::uint8_t {
 #define GLINT_KIND(Type, word) word,

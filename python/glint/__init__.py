@@ -36,6 +36,7 @@ from ._glint import (
     SmoothTriangle,
     Sphere,
     Texture,
+    Torus,
     Triangle,
     isa_names,
 )
@@ -59,6 +60,6 @@ __all__ = [
     "Attenuation", "BackgroundGradient", "Box", "Camera", "CameraFrame", "Color", "ColorLike", "ColorScale", "Comparison", "Cone", "Cylinder",
     "Diagnosis", "Diagnostic", "Disc", "Explanation", "Finding", "Fog", "GlintError", "GlintWarning", "Graded", "GradedPart", "Grades", "Hits",
     "Image", "Light", "LiveView", "Material", "Mesh", "Occlusion", "Plane", "Polygon", "ProposedPixel", "Record", "Scene", "Shape", "SmoothTriangle", "Sphere",
-    "Surface", "Texture", "TraceLog", "Triangle", "Vec3", "VectorLike", "Versus", "animate", "check", "compare", "convert", "diagnose", "explain", "grade", "isa_names",
+    "Surface", "Texture", "Torus", "TraceLog", "Triangle", "Vec3", "VectorLike", "Versus", "animate", "check", "compare", "convert", "diagnose", "explain", "grade", "isa_names",
     "load", "loads", "profiles", "propose_pixels", "setting_infos", "show", "surface", "versus",
 ]

@@ -26,7 +26,7 @@ _POSITIONAL: Dict[Any, Tuple[str, ...]] = {
 }
 _SHAPES = (
     _glint.Sphere, _glint.Plane, _glint.Cylinder, _glint.Cone, _glint.Disc, _glint.Box, _glint.Triangle,
-    _glint.SmoothTriangle, _glint.Polygon, _glint.Mesh,
+    _glint.SmoothTriangle, _glint.Polygon, _glint.Mesh, _glint.Torus,
 )  # fmt: skip
 _REQUIRED = {_glint.Polygon: ("vertices",), _glint.Mesh: ("vertices", "triangles")}
 # Types that the extension module converts without a message of its own.

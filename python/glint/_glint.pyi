@@ -457,6 +457,7 @@ class Disc(Shape):
         center: VectorLike = ...,
         normal: VectorLike = ...,
         radius: float = ...,
+        hole: float = ...,
         *,
         material: Optional[Material] = ...,
         color: Optional[ColorLike] = ...,
@@ -466,6 +467,25 @@ class Disc(Shape):
     center: _VectorField
     normal: _VectorField
     radius: float
+    hole: float
+
+class Torus(Shape):
+    def __init__(
+        self,
+        center: VectorLike = ...,
+        axis: VectorLike = ...,
+        radius: float = ...,
+        tube: float = ...,
+        *,
+        material: Optional[Material] = ...,
+        color: Optional[ColorLike] = ...,
+        transform: Any = ...,
+        name: str = ...,
+    ) -> None: ...
+    center: _VectorField
+    axis: _VectorField
+    radius: float
+    tube: float
 
 class Box(Shape):
     def __init__(

@@ -80,8 +80,8 @@ class ShapeArrays(Closed):
     def _numbers(self) -> Numbers:
         raise NotImplementedError
 
-    centers = _Array("parameters", "Of spheres and discs: (N, 3), in the scene's units.", "centers")
-    radii = _Array("parameters", "Of spheres, cylinders and discs: (N,), > 0; one number is for all.", "radii")
+    centers = _Array("parameters", "Of spheres, discs and tori: (N, 3), in the scene's units.", "centers")
+    radii = _Array("parameters", "Of spheres, cylinders, discs and tori: (N,), > 0; one number is for all.", "radii")
     from_ = _Array("parameters", "Of cylinders and cones: (N, 3), where the axes begin.", "from_")
     to = _Array("parameters", "Of cylinders and cones: (N, 3), where the axes end.", "to")
     vertices = _Array("parameters", "Of triangles and smooth triangles: (N, 3, 3).", "vertices")

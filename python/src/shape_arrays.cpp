@@ -38,12 +38,14 @@ struct Parameter {
 double* find_center(Scene& scene, const Shape& shape) {
     if (shape.kind == ShapeKind::sphere) return &scene.get<Sphere>()[shape.index].center.x;
     if (shape.kind == ShapeKind::disc) return &scene.get<Disc>()[shape.index].center.x;
+    if (shape.kind == ShapeKind::torus) return &scene.get<Torus>()[shape.index].center.x;
     return nullptr;
 }
 double* find_radius(Scene& scene, const Shape& shape) {
     if (shape.kind == ShapeKind::sphere) return &scene.get<Sphere>()[shape.index].radius;
     if (shape.kind == ShapeKind::cylinder) return &scene.get<Cylinder>()[shape.index].radius;
     if (shape.kind == ShapeKind::disc) return &scene.get<Disc>()[shape.index].radius;
+    if (shape.kind == ShapeKind::torus) return &scene.get<Torus>()[shape.index].radius;
     return nullptr;
 }
 double* find_from(Scene& scene, const Shape& shape) {
@@ -70,8 +72,8 @@ double* find_normals(Scene& scene, const Shape& shape) {
 
 const Parameter& parameter_named(const std::string& name) {
     static const Parameter all[] = {
-        {"centers", "spheres and discs", {3}, k_coordinate, find_center},
-        {"radii", "spheres, cylinders and discs", {}, k_length, find_radius},
+        {"centers", "spheres, discs and tori", {3}, k_coordinate, find_center},
+        {"radii", "spheres, cylinders, discs and tori", {}, k_length, find_radius},
         {"from_", "cylinders and cones", {3}, k_coordinate, find_from},
         {"to", "cylinders and cones", {3}, k_coordinate, find_to},
         {"vertices", "triangles and smooth triangles", {3, 3}, k_coordinate, find_vertices},

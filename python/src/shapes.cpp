@@ -273,12 +273,15 @@ void bind_shapes(py::module_& m) {
     bind_shape<Plane>(m, "Plane", "Plane(point, normal=(0, 1, 0)): infinite");
     bind_shape<Cylinder>(m, "Cylinder", "Cylinder(from_, to, radius, caps=True)");
     bind_shape<Cone>(m, "Cone", "Cone(from_, to, from_radius, to_radius=0, caps=True)");
-    bind_shape<Disc>(m, "Disc", "Disc(center, normal, radius)");
+    bind_shape<Disc>(m, "Disc", "Disc(center, normal, radius, hole=0)");
     bind_shape<Box>(m, "Box", "Box(min, max), along the axes");
     bind_shape<Triangle>(m, "Triangle", "Triangle(vertices): flat, its normal on the counter-clockwise side");
     bind_shape<SmoothTriangle>(m, "SmoothTriangle",
                                "SmoothTriangle(vertices, normals): shaded by its normals");
     bind_shape<Polygon>(m, "Polygon", "Polygon(vertices): flat, convex or not");
+    bind_shape<Torus>(m, "Torus",
+                      "Torus(center, axis, radius, tube): the points at distance `tube` from a circle of "
+                      "that radius around the axis");
     bind_mesh(m);
 }
 

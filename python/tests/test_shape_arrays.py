@@ -196,7 +196,7 @@ ZEROS = np.zeros((40, 3))
 @pytest.mark.parametrize(
     "key, attribute, value, kind, message",
     [
-        (slice(None), "centers", None, TypeError, "centers: expected spheres and discs, found the shape 40, which is of the kind cylinder"),
+        (slice(None), "centers", None, TypeError, "centers: expected spheres, discs and tori, found the shape 40, which is of the kind cylinder"),
         ([100], "centers", ZEROS[:1], TypeError, "found the shape 100, which is of the kind plane and has the name 'floor'; choose spheres"),
         (slice(40), "centers", ZEROS[:39], ValueError, "centers: expected an array of 40 x 3, found 39 x 3"),
         (slice(40), "centers", (0, 0, 0), ValueError, "centers: expected an array of 40 x 3, found 3"),

@@ -32,6 +32,8 @@ VALUES = [
     glint.Cylinder((0, 0, 0), (0, 2, 0), 0.5, caps=False, color="#336699"),
     glint.Cone((0, 0, 0), (0, 2, 0), 0.5, 0.1),
     glint.Disc((0, 0, 0), (0, 0, 1), 2),
+    glint.Disc((0, 0, 0), (0, 0, 1), 2, 0.5),
+    glint.Torus((1, 0, 0), (0, 0, 1), 2, 0.25),
     glint.Box((0, 0, 0), (1, 2, 3)),
     glint.Triangle(VERTICES),
     glint.SmoothTriangle(VERTICES, [(0, 0, 1)] * 3),

@@ -54,7 +54,14 @@ std::vector<double> values_of(const Scene& scene, const Shape& shape) {
         }
         case ShapeKind::disc: {
             const Disc& s = scene.get<Disc>()[shape.index];
-            append(v, s.center), append(v, normalize(s.normal)), v.push_back(s.radius);
+            append(v, s.center), append(v, normalize(s.normal));
+            v.insert(v.end(), {s.radius, s.hole});
+            break;
+        }
+        case ShapeKind::torus: {
+            const Torus& s = scene.get<Torus>()[shape.index];
+            append(v, s.center), append(v, normalize(s.axis));
+            v.insert(v.end(), {s.radius, s.tube});
             break;
         }
         case ShapeKind::box: {

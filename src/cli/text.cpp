@@ -62,6 +62,8 @@ std::string with_commas(std::uint64_t number) {
 }
 
 std::string counted(std::uint64_t number, std::string_view noun) {
+    if (noun.ends_with("us") && number != 1)
+        return fmt::format("{} {}i", with_commas(number), noun.substr(0, noun.size() - 2));
     const std::string_view plural = noun.ends_with('x') || noun.ends_with("sh") ? "es" : "s";
     return fmt::format("{} {}{}", with_commas(number), noun, number == 1 ? "" : plural);
 }

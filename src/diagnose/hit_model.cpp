@@ -15,6 +15,8 @@ double radius_of(const Scene& scene, const Shape& shape) {
             return std::max(scene.get<Cone>()[shape.index].from_radius,
                             scene.get<Cone>()[shape.index].to_radius) /
                    4;
+        case ShapeKind::torus:
+            return scene.get<Torus>()[shape.index].tube;
         default:
             return 0;  // flat, or not known
     }

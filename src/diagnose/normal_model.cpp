@@ -45,6 +45,7 @@ Maybe RayModel::turned_normal() const {
         switch (shape.kind) {
             case ShapeKind::sphere:
             case ShapeKind::box:
+            case ShapeKind::torus:
                 return false;
             case ShapeKind::cylinder:
                 return !model_.scene.get<Cylinder>()[shape.index].caps;

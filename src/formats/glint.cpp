@@ -19,7 +19,8 @@ constexpr std::string_view k_what =
 constexpr std::string_view k_block_words[] = {
     "sphere",  "material", "texture",     "light", "group",     "camera",
     "plane",   "cylinder", "cone",        "disc",  "box",       "triangle",
-    "polygon", "render",   "conventions", "fog",   "occlusion", "background_gradient"};
+    "polygon", "render",   "conventions", "fog",   "occlusion", "background_gradient",
+    "torus"};
 constexpr std::string_view k_setting_words[] = {"background", "profile", "glint"};
 
 // The keys of Conventions, or of RenderSettings.

@@ -138,6 +138,7 @@ class ShapeReader {
         void point(std::string_view name, const Vec3&) { names.push_back({name, true}); }
         void direction(std::string_view name, const Vec3&) { names.push_back({name, true}); }
         void length(std::string_view name, double) { names.push_back({name, true}); }
+        void radius(std::string_view name, double) { names.push_back({name}); }
     };
     // ... and for the value of field number `field`.
     struct FieldValue {
@@ -152,6 +153,9 @@ class ShapeReader {
         }
         void length(std::string_view, double& x) {
             if (field-- == 0) is_read = reader.length(x);
+        }
+        void radius(std::string_view, double& x) {
+            if (field-- == 0) is_read = reader.t_.p.number(x, k_not_negative);
         }
     };
 
@@ -196,6 +200,10 @@ class ShapeReader {
             {"diameter", "`radius`"},
             {"r", "`radius`"},
             {"r1", "`radius = (from, to)`"},
+            {"major_radius", "`radius`"},
+            {"minor_radius", "`tube`"},
+            {"inner_radius", "`hole`"},
+            {"outer_radius", "`radius`"},
             {"base", "`from`"},
             {"apex", "`to`"},
             {"top", "`to`"},

@@ -21,6 +21,9 @@ struct FieldWriter {
     void point(std::string_view key, const Vec3& value) { append(block.key(key), value); }
     void direction(std::string_view key, const Vec3& value) { append(block.key(key), value); }
     void length(std::string_view key, double value) { append(block.key(key), value); }
+    void radius(std::string_view key, double value) {
+        if (value != 0) append(block.key(key), value);
+    }
 };
 
 class ShapeWriter {

@@ -18,13 +18,13 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 struct DiscGeometry : GeometryTraits {
-    static constexpr int k_values = 7;  // center, unit normal, radius
+    static constexpr int k_values = 8;  // center, unit normal, radius, radius of the hole
 
     static void pack(const Disc& disc, double* p) {
         const Vec3 n = glint::normalize(disc.normal);
         p[0] = disc.center.x, p[1] = disc.center.y, p[2] = disc.center.z;
         p[3] = n.x, p[4] = n.y, p[5] = n.z;
-        p[6] = disc.radius;
+        p[6] = disc.radius, p[7] = disc.hole;
     }
     static bool is_open(const Disc&) { return true; }
     static void bounds(const Disc& disc, Vec3& lo, Vec3& hi) {
@@ -38,7 +38,8 @@ struct DiscGeometry : GeometryTraits {
         // A ray in the disc's plane gives NaN or infinity: no hit.
         const T t = -dot(q, n) / dot(ray.direction, n);
         const Vector3<T> across = q + ray.direction * t;
-        return {t > t_min && (dot(across, across) <= p[6] * p[6]), t};
+        const T from_center = dot(across, across);
+        return {t > t_min && (from_center <= p[6] * p[6]) && (from_center >= p[7] * p[7]), t};
     }
 
     template <class T> static HWY_INLINE Vector3<T> normal(const T* p, Vector3<T>) { return vector3(p + 3); }

@@ -16,6 +16,7 @@
 #include "geometry/mesh-inl.h"
 #include "geometry/plane-inl.h"
 #include "geometry/sphere-inl.h"
+#include "geometry/torus-inl.h"
 #include "geometry/transformed-inl.h"
 #include "geometry/triangle-inl.h"
 

@@ -42,14 +42,26 @@ class ParameterCheck {
         }
         void direction(std::string_view name, const Vec3& d) {
             if (is_coordinate(d) && !is_zero(d)) return;
-            say(fmt::format("expected a {} other than (0, 0, 0) and within 1e12, found {}", name, text(d)));
+            say(fmt::format("expected {} {} other than (0, 0, 0) and within 1e12, found {}",
+                            name == "axis" ? "an" : "a", name, text(d)));
         }
         void length(std::string_view name, double x) {
             if (k_length.contains(x)) return;
             say(fmt::format("{}: expected {}, found {}", name, k_length.text, x));
         }
+        void radius(std::string_view name, double x) {
+            if (k_not_negative.contains(x)) return;
+            say(fmt::format("{}: expected {}, found {}", name, k_not_negative.text, x));
+        }
     };
     template <class T> void check_parameters(const T& shape) { T::fields(shape, FieldCheck{mistakes_}); }
+
+    void check_parameters(const Disc& disc) {
+        Disc::fields(disc, FieldCheck{mistakes_});
+        if (disc.radius > 0 && disc.hole >= disc.radius) {
+            say(fmt::format("expected a hole smaller than the radius {}, found {}", disc.radius, disc.hole));
+        }
+    }
 
     void check_parameters(const Cylinder& c) {
         if (!is_coordinate(c.from) || !is_coordinate(c.to)) {

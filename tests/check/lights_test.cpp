@@ -15,6 +15,20 @@ TEST(CheckLights, InsideAClosedShape) {
         << only_message(text);
 }
 
+// A torus that the check's ray leaves, enters again and leaves: no convex shape.
+TEST(CheckLights, InsideATorus) {
+    const auto with = [](const char* place) {
+        return ids_of(
+            k_clean +
+            "torus { center = (0, 1.6, 2)  axis = (0.7, -0.6211, 0.2)  radius = 0.6  tube = 0.2 }\n" +
+            "light { position = " + place + "  intensity = 0.5 }\n");
+    };
+    // (0.6211, 0.7, 0) is at right angles to the axis.
+    EXPECT_TRUE(has(with("(0.398, 2.049, 2)"), "light-inside-shape@8"));
+    EXPECT_TRUE(has(with("(-0.398, 1.151, 2)"), "light-inside-shape@8"));
+    EXPECT_FALSE(has(with("(0, 1.6, 2)"), "light-inside-shape")) << "in the hole";
+}
+
 TEST(CheckLights, NotInsideALampOfGlassOrWithoutShadows) {
     const std::string lamp =
         "sphere { center = (-2, 3, 1)  radius = 0.3  transmission = 0.9  ior = 1.5 }\n"

@@ -86,6 +86,12 @@ TEST(CheckShapes, WrittenTwice) {
         ids_of(k_clean + "group { translate = (1, 1, 0)  sphere { center = (0, 0, 2)  radius = 0.5 } }\n"
                          "group { translate = (1, 1, 0)  sphere { center = (0, 0, 2)  radius = 0.5 } }\n"),
         "shape-written-twice@8"));
+    const std::string torus = "torus { center = (0, 1, 2)  axis = (0, 1, 0)  radius = 0.5  tube = ";
+    EXPECT_TRUE(has(ids_of(k_clean + torus + "0.1 }\n" + torus + "0.1 }\n"), "shape-written-twice@8"));
+    EXPECT_FALSE(has(ids_of(k_clean + torus + "0.1 }\n" + torus + "0.2 }\n"), "shape-written-twice"));
+    const std::string disc = "disc { center = (0, 1, 2)  normal = (0, 1, 1)  radius = 0.5  hole = ";
+    EXPECT_TRUE(has(ids_of(k_clean + disc + "0.1 }\n" + disc + "0.1 }\n"), "shape-written-twice@8"));
+    EXPECT_FALSE(has(ids_of(k_clean + disc + "0.1 }\n" + disc + "0.2 }\n"), "shape-written-twice"));
     // The same ball elsewhere.
     EXPECT_EQ(
         ids_of(k_clean + "group { translate = (1, 1, 0)  sphere { center = (0, 0, 2)  radius = 0.5 } }\n"

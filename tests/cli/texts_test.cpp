@@ -41,6 +41,8 @@ TEST(Texts, Numbers) {
     EXPECT_EQ(counted(1000, "warning"), "1,000 warnings");
     EXPECT_EQ(counted(1, "box"), "1 box");
     EXPECT_EQ(counted(2, "box"), "2 boxes");
+    EXPECT_EQ(counted(1, "torus"), "1 torus");
+    EXPECT_EQ(counted(2, "torus"), "2 tori");
     EXPECT_EQ(bytes_text(12), "12 bytes");
     EXPECT_EQ(bytes_text(120e9), "120.0 GB");
 }

@@ -62,8 +62,16 @@ TEST(Glint, ReadsEveryShape) {
         triangle { vertices = ((0, 0, 0), (1, 0, 0), (0, 1, 0)) }
         triangle { vertices = ((0, 0, 0), (1, 0, 0), (0, 1, 0))  normals = ((0, 0, 1), (0, 1, 1), (1, 0, 1)) }
         polygon { vertices = ((0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)) }
+        torus { center = (1, 2, 3)  axis = (0, 0, 2)  radius = 2  tube = 0.5 }
+        disc { center = (0, 0, 1)  normal = (0, 0, 1)  radius = 3  hole = 1 }
     )");
-    ASSERT_EQ(s.shapes.size(), 11u);
+    ASSERT_EQ(s.shapes.size(), 13u);
+    EXPECT_EQ(s.get<Torus>()[0].center, (Vec3{1, 2, 3}));
+    EXPECT_EQ(s.get<Torus>()[0].axis, (Vec3{0, 0, 2}));
+    EXPECT_EQ(s.get<Torus>()[0].radius, 2);
+    EXPECT_EQ(s.get<Torus>()[0].tube, 0.5);
+    EXPECT_EQ(s.get<Disc>()[0].hole, 0);
+    EXPECT_EQ(s.get<Disc>()[1].hole, 1);
     EXPECT_EQ(s.shape_texts.name(0), "ball");
     EXPECT_EQ(s.shape_texts.place(0).line, 3u);
     EXPECT_EQ(s.get<Sphere>()[0].center, (Vec3{1, 2, 3}));

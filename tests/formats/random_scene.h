@@ -241,6 +241,10 @@ class RandomScene {
                 break;
             case ShapeKind::disc:
                 s.add(Disc{point(), direction(), length()}, material, transform);
+                if (Disc& disc = s.get<Disc>().back(); pick(2) == 0) disc.hole = disc.radius * 0.75;
+                break;
+            case ShapeKind::torus:
+                s.add(Torus{point(), direction(), length(), length()}, material, transform);
                 break;
             case ShapeKind::box:
                 s.add(Box{{-1, -0.0, between(-1, 0)}, {between(0, 1), 5e-324, 1}}, material, transform);

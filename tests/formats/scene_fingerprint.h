@@ -41,7 +41,8 @@ class SceneFingerprint {
     void add(const Plane& p) { add(p.point), add(p.normal); }
     void add(const Cylinder& c) { add(c.from), add(c.to), add(c.radius), add(c.caps); }
     void add(const Cone& c) { add(c.from), add(c.to), add(c.from_radius), add(c.to_radius), add(c.caps); }
-    void add(const Disc& d) { add(d.center), add(d.normal), add(d.radius); }
+    void add(const Disc& d) { add(d.center), add(d.normal), add(d.radius), add(d.hole); }
+    void add(const Torus& t) { add(t.center), add(t.axis), add(t.radius), add(t.tube); }
     void add(const Box& c) { add(c.min), add(c.max); }
     void add(const Triangle& t) { add(std::span(t.vertices)); }
     void add(const SmoothTriangle& t) { add(std::span(t.vertices)), add(std::span(t.normals)); }

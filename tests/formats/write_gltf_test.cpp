@@ -172,6 +172,8 @@ cylinder { from = (0, 0, 0)  to = (0.3, 1.2, 0.2)  radius = 0.3  caps = true  ma
 cone { from = (1.2, 0, 0)  to = (1.2, 1.3, 0)  radius = 0.5  material = m }
 cone { from = (1.2, 0, 1.5)  to = (1.2, 1, 1.5)  radius = (0.2, 0.4)  caps = true  material = m }
 disc { center = (-0.5, 0.5, 1)  normal = (0, 1, 1)  radius = 0.4  material = m }
+disc { center = (0.3, 0.3, 1.6)  normal = (0, 1, 1)  radius = 0.3  hole = 0.15  material = m }
+torus { center = (-0.8, 1.6, 0.4)  axis = (0, 1, 1)  radius = 0.4  tube = 0.15  material = m }
 box { min = (-1.6, 0, 1)  max = (-1, 0.5, 1.6)  material = m }
 triangle { vertices = ((2, 0, 0), (2.5, 0, 0.5), (2.2, 1, 0.2))  material = m }
 polygon { vertices = ((-2.5, 0, 0), (-2, 0, 0.5), (-2.2, 1, 0.2), (-2.4, 0.3, 0))  material = m }

@@ -10,12 +10,10 @@
 namespace glint::test {
 namespace {
 
-constexpr double k_epsilon = 0x1p-53;
-
 template <class ShapeCase> class Hits : public ::testing::Test {};
 using ShapeCases =
     ::testing::Types<SphereCase, PlaneCase, CylinderCase<false>, CylinderCase<true>, EllipsoidCase,
-                     ConeCase<false>, ConeCase<true>, DiscCase, BoxCase, TriangleCase>;
+                     ConeCase<false>, ConeCase<true>, DiscCase, BoxCase, TriangleCase, TorusCase>;
 TYPED_TEST_SUITE(Hits, ShapeCases);
 
 struct TestRay {

@@ -13,6 +13,7 @@ namespace glint::test {
 namespace plain = HWY_NAMESPACE;
 using Long = long double;
 using LongVec = plain::Vector3<Long>;
+inline constexpr double k_epsilon = 0x1p-53;
 
 inline LongVec to_long(Vec3 v) { return {v.x, v.y, v.z}; }
 template <class T> plain::Vector3<T> triple_of(Vec3 v) { return {T(v.x), T(v.y), T(v.z)}; }
@@ -216,6 +217,27 @@ struct TriangleCase {
         // edge.
         const Long allowed = 1e-6L * plain::length(v[1] - v[0]);
         return {off > allowed ? plain::sqrt(off * off + along * along) : along, n};
+    }
+};
+
+struct TorusCase {
+    using Geometry = plain::TorusGeometry;
+    static constexpr bool k_solid = true, k_convex = false;
+    Torus shape;
+    static TorusCase make(Random& random, Vec3 at, double size) {
+        const Vec3 axis = chance(random, 0.3) ? axis_direction(random) : unit_direction(random);
+        const double tube = size * log_uniform(random, 0.02, 0.49);
+        return {{at, axis * log_uniform(random, 1e-3, 1e3), size - tube, tube}};
+    }
+    void pack(double* p) const { Geometry::pack(shape, p); }
+    double max_coordinate() const { return reach_of<Geometry>(shape); }
+    double magnitude() const { return length(shape.center) + shape.radius + shape.tube; }
+    Nearness nearness(LongVec point) const {
+        const LongVec axis = plain::normalize(to_long(shape.axis)), q = point - to_long(shape.center);
+        const LongVec across = q - axis * plain::dot(q, axis);
+        const LongVec from_circle = q - across * (Long(shape.radius) / plain::length(across));
+        const Long distance = plain::length(from_circle);
+        return {distance - Long(shape.tube), from_circle / distance, distance};
     }
 };
 

@@ -144,6 +144,11 @@ std::vector<std::function<double&(Scene&)>> numbers() {
     point([=](Scene& s) -> Vec3& { return s.add(Disc{}), last(s.get<Disc>()).center; });
     point([=](Scene& s) -> Vec3& { return s.add(Disc{}), last(s.get<Disc>()).normal; });
     number([=](Scene& s) -> double& { return s.add(Disc{}), last(s.get<Disc>()).radius; });
+    number([=](Scene& s) -> double& { return s.add(Disc{}), last(s.get<Disc>()).hole; });
+    point([=](Scene& s) -> Vec3& { return s.add(Torus{}), last(s.get<Torus>()).center; });
+    point([=](Scene& s) -> Vec3& { return s.add(Torus{}), last(s.get<Torus>()).axis; });
+    number([=](Scene& s) -> double& { return s.add(Torus{}), last(s.get<Torus>()).radius; });
+    number([=](Scene& s) -> double& { return s.add(Torus{}), last(s.get<Torus>()).tube; });
     point([=](Scene& s) -> Vec3& { return s.add(Box{}), last(s.get<Box>()).min; });
     point([=](Scene& s) -> Vec3& { return s.add(Box{}), last(s.get<Box>()).max; });
     for (int i = 0; i < 3; ++i) {

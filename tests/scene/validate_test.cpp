@@ -216,6 +216,22 @@ INSTANTIATE_TEST_SUITE_P(
                    s.lights[0].kind = LightKind::sphere;
                    s.lights[0].adaptive = 17;
                }},
+        Broken{"torus 4: tube: expected a number > 0",
+               [](Scene& s) {
+                   s.add(Torus{{}, {0, 1, 0}, 1, 0});
+               }},
+        Broken{"torus 4: expected an axis other than (0, 0, 0)",
+               [](Scene& s) {
+                   s.add(Torus{{}, {0, 0, 0}});
+               }},
+        Broken{"disc 4: hole: expected a number from 0 to 1e12",
+               [](Scene& s) {
+                   s.add(Disc{{}, {0, 1, 0}, 1, -1});
+               }},
+        Broken{"disc 4: expected a hole smaller than the radius 1, found 1",
+               [](Scene& s) {
+                   s.add(Disc{{}, {0, 1, 0}, 1, 1});
+               }},
         Broken{"light 1: radius: expected a number > 0",
                [](Scene& s) {
                    s.lights[0].kind = LightKind::disc;

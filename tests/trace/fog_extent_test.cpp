@@ -240,6 +240,12 @@ TEST(FogExtent, OrthographicCamerasAreInsideWhatContainsTheirPicture) {
     EXPECT_NEAR(around.pixel(20, 20).b, 0.05 + 0.5, 1e-6) << "fog on the background only";
     scene.get<Sphere>()[0].radius = 1e-3;
     EXPECT_EQ(render_scene(scene).pixel(1, 1), (Color{0, 0, 1}));
+    // The corners of the picture are in the tube, and its middle is in the hole.
+    scene.camera.width = 2;
+    scene.add(Torus{{0, 0, 5}, {0, 0, 1}, std::sqrt(2.0), 0.5}, scene.shapes[0].material);
+    const Image ring = render_scene(scene);
+    EXPECT_NEAR(ring.pixel(0, 0).b, 0.05 + 0.5, 1e-6);
+    EXPECT_EQ(ring.pixel(20, 20), (Color{0, 0, 1}));
 }
 
 Scene mixture_in_fog() {

@@ -52,7 +52,12 @@ inline void add_other(Scene& scene, Random& random, Vec3 at, double r, std::uint
                       transform);
             break;
         case 2:
-            scene.add(Disc{at, along, r}, k_none, transform);
+            // By the place, so that the numbers of the other shapes stay the same.
+            if (at.y < 0) {
+                scene.add(Torus{at, along, r, at.x < 0 ? r * 0.1 : r * 1.2}, k_none, transform);
+            } else {
+                scene.add(Disc{at, along, r, at.x < 0 ? r / 3 : 0}, k_none, transform);
+            }
             break;
         case 3:
             scene.add(Box{at - Vec3{r, r / 2, r / 3}, at + Vec3{r, r, r}}, k_none, transform);

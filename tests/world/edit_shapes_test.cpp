@@ -72,6 +72,8 @@ void move(Scene& scene, std::uint32_t index, Vec3 by) {
             Cone& c = parameters<Cone>(scene, shape);
             return move_all({&c.from, &c.to});
         }
+        case ShapeKind::torus:
+            return move_all({&parameters<Torus>(scene, shape).center});
         case ShapeKind::disc:
             return move_all({&parameters<Disc>(scene, shape).center});
         case ShapeKind::box: {

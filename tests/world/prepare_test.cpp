@@ -163,11 +163,12 @@ TEST(Prepare, FlippedNormals) {
         scene.add(Disc{}, k_none, transform);
         scene.add(Box{}, k_none, transform);
         scene.add(Triangle{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, k_none, transform);
+        scene.add(Torus{}, k_none, transform);
     }
-    EXPECT_EQ(turned(Facing::none), std::vector<bool>(18, false));
-    EXPECT_EQ(turned(Facing::all), std::vector<bool>(18, true));
-    EXPECT_EQ(turned(Facing::winding), std::vector<bool>(18, true));
-    std::vector<bool> open{false, true, true, false, true, false, true, false, true};
+    EXPECT_EQ(turned(Facing::none), std::vector<bool>(20, false));
+    EXPECT_EQ(turned(Facing::all), std::vector<bool>(20, true));
+    EXPECT_EQ(turned(Facing::winding), std::vector<bool>(20, true));
+    std::vector<bool> open{false, true, true, false, true, false, true, false, true, false};
     open.insert(open.end(), open.begin(), open.end());
     EXPECT_EQ(turned(Facing::open), open);
 }

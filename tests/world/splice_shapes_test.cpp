@@ -88,6 +88,7 @@ Indices insert(Scene& scene, Random& random, std::size_t count) {
                 GLINT_KIND(Cone, cone)
                 GLINT_KIND(Disc, disc)
                 GLINT_KIND(Box, box)
+                GLINT_KIND(Torus, torus)
                 GLINT_KIND(Triangle, triangle)
                 GLINT_KIND(SmoothTriangle, smooth_triangle)
 #undef GLINT_KIND

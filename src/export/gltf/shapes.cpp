@@ -104,7 +104,6 @@ const MeshData& ShapeMeshes::unit(ShapeKind kind) {
     const MeshData*& known = units_[kind];
     if (known == nullptr) {
         known = &own(kind == ShapeKind::sphere ? unit_sphere()
-                     : kind == ShapeKind::disc ? unit_disc()
                      : kind == ShapeKind::box  ? unit_box()
                                                : unit_square());
     }
@@ -116,6 +115,18 @@ ShapeMeshes::Unit ShapeMeshes::cone(Vec3 from, Vec3 to, double from_radius, doub
     const MeshData*& known = cones_[{from_radius / radius, to_radius / radius, caps}];
     if (known == nullptr) known = &own(unit_cone(from_radius / radius, to_radius / radius, caps));
     return {known, frame(from, to - from, radius)};
+}
+
+ShapeMeshes::Unit ShapeMeshes::disc(const Disc& d) {
+    const MeshData*& known = discs_[d.hole / d.radius];
+    if (known == nullptr) known = &own(unit_disc(d.hole / d.radius));
+    return {known, frame(d.center, normalize(d.normal) * d.radius, d.radius)};
+}
+
+ShapeMeshes::Unit ShapeMeshes::torus(const Torus& t) {
+    const MeshData*& known = tori_[t.tube / t.radius];
+    if (known == nullptr) known = &own(unit_torus(t.tube / t.radius));
+    return {known, frame(t.center, normalize(t.axis) * t.radius, t.radius)};
 }
 
 // A sphere to which the eye is near, as one that stands for the ground, is finer there: else, it would be
@@ -145,10 +156,10 @@ ShapeMeshes::Unit ShapeMeshes::unit_of(const Shape& shape) {
             if (!scene_.conventions.cones) return {};
             return cone(c.from, c.to, c.from_radius, c.to_radius, c.caps);
         }
-        case ShapeKind::disc: {
-            const Disc& d = scene_.get<Disc>()[shape.index];
-            return {&unit(shape.kind), frame(d.center, normalize(d.normal) * d.radius, d.radius)};
-        }
+        case ShapeKind::disc:
+            return disc(scene_.get<Disc>()[shape.index]);
+        case ShapeKind::torus:
+            return torus(scene_.get<Torus>()[shape.index]);
         case ShapeKind::box: {
             const Box& b = scene_.get<Box>()[shape.index];
             return {&unit(shape.kind), compose(translation(b.min), scaling(b.max - b.min))};

@@ -25,9 +25,9 @@ struct PlacedMesh {
     std::uint32_t shape = 0;  ///< the first one of it in Scene::shapes
 };
 
-/// The meshes of a scene, in the order of its shapes. Spheres, cylinders, cones, discs and boxes share meshes
-/// of one size. Triangles and polygons with the same material, color and transform are one mesh. A plane is a
-/// square. The Scene must outlive it.
+/// The meshes of a scene, in the order of its shapes. Spheres, cylinders, cones, discs, tori and boxes share
+/// meshes of one size. Triangles and polygons with the same material, color and transform are one mesh. A
+/// plane is a square. The Scene must outlive it.
 class ShapeMeshes {
   public:
     /// file_from_world: the identity, or a reflection. Meshes whose place a node cannot have are meshes of
@@ -62,6 +62,8 @@ class ShapeMeshes {
     const MeshData& own(MeshData mesh);
     const MeshData& unit(ShapeKind kind);
     Unit cone(Vec3 from, Vec3 to, double from_radius, double to_radius, bool caps);
+    Unit disc(const Disc& d);
+    Unit torus(const Torus& t);
     Unit sphere(const Sphere& s, const Affine& world_from_object);
     Unit unit_of(const Shape& shape);
     Affine transform(const Shape& shape) const;
@@ -73,6 +75,7 @@ class ShapeMeshes {
     std::vector<std::unique_ptr<MeshData>> own_;
     std::map<ShapeKind, const MeshData*> units_;
     std::map<std::tuple<double, double, bool>, const MeshData*> cones_;
+    std::map<double, const MeshData*> discs_, tori_;  // by the hole, by the tube, of the radius
     std::map<GroupKey, MeshData*> groups_;
     Extent box_;
     std::vector<Ball> balls_;  // around the shapes but planes

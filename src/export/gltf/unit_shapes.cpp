@@ -102,9 +102,43 @@ MeshData unit_cone(double from_radius, double to_radius, bool caps) {
     return to.mesh;
 }
 
-MeshData unit_disc() {
+MeshData unit_disc(double hole) {
     Builder to;
-    add_disc(to, 1, 0, false);
+    if (!(hole > 0)) {
+        add_disc(to, 1, 0, false);
+        return to.mesh;
+    }
+    for (std::uint32_t i = 0; i < k_circle; ++i) {
+        to.vertex(half_step(2 * i) * hole);
+        to.vertex(half_step(2 * i));
+    }
+    for (std::uint32_t i = 0; i < k_circle; ++i) {
+        const std::uint32_t inner = 2 * i, next = 2 * ((i + 1) % k_circle);
+        to.flat(inner, inner + 1, next + 1);
+        to.flat(inner, next + 1, next);
+    }
+    return to.mesh;
+}
+
+MeshData unit_torus(double tube) {
+    Builder to;
+    constexpr std::uint32_t rows = k_circle / 2;  // around the tube
+    for (std::uint32_t i = 0; i < k_circle; ++i) {
+        for (std::uint32_t j = 0; j < rows; ++j) {
+            const Vec3 out = half_step(2 * i), turn = half_step(4 * j);
+            const Vec3 normal = out * turn.x + Vec3{0, 0, turn.y};
+            to.vertex(out + normal * tube, normal);
+        }
+    }
+    for (std::uint32_t i = 0; i < k_circle; ++i) {
+        const std::uint32_t here = i * rows, there = (i + 1) % k_circle * rows;
+        for (std::uint32_t j = 0; j < rows; ++j) {
+            const std::uint32_t next = (j + 1) % rows;
+            to.smooth(here + j, there + j, there + next);
+            to.smooth(here + j, there + next, here + next);
+        }
+    }
+    to.mesh.normals.corners.clear();  // each vertex has its own
     return to.mesh;
 }
 

@@ -15,8 +15,10 @@ MeshData unit_sphere(double degrees = k_row_degrees);
 /// Around the z axis, with these radii at z = 0 and z = 1, at least 0 and not both 0; caps: with the discs at
 /// its ends.
 MeshData unit_cone(double from_radius, double to_radius, bool caps);
-/// Radius 1 around the z axis, with the normal z.
-MeshData unit_disc();
+/// Radius 1 around the z axis, with a hole of this radius, from 0 to below 1, and with the normal z.
+MeshData unit_disc(double hole = 0);
+/// The points at distance `tube` from the circle of radius 1 around the z axis at z = 0.
+MeshData unit_torus(double tube);
 /// From (0, 0, 0) to (1, 1, 1).
 MeshData unit_box();
 /// From (-1, -1, 0) to (1, 1, 0), with the normal z.

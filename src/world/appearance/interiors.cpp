@@ -84,7 +84,7 @@ void find_camera_interiors(const WorldParts& parts, FogInteriors& found) {
     const PackedGeometry& geometry = *parts.geometry;
     const CameraOrigins origins(parts.camera);
     for (const ShapeClass& shapes : geometry.classes) {
-        const bool is_space = shapes.kind == ShapeKind::plane;
+        const bool is_space = shapes.kind == ShapeKind::plane, is_convex = shapes.kind != ShapeKind::torus;
         for (std::uint32_t item = 0; item < shapes.count; ++item) {
             const std::uint32_t slot = shapes.first + item;
             if (slot < geometry.boxed && !origins.meet(geometry, slot)) continue;
@@ -92,7 +92,7 @@ void find_camera_interiors(const WorldParts& parts, FogInteriors& found) {
             std::size_t inside = 0;
             for (const Vec3 point : origins.all()) inside += contains(shapes, slot, point);
             // The corners of a rectangle are within a convex shape only if all of it is.
-            if (inside == origins.count) {
+            if (inside == origins.count && (is_convex || origins.count == 1)) {
                 found.camera ^= interior_word(parts, geometry.surface_of(slot));
             } else if (inside > 0 || (origins.count > 1 && !is_space)) {
                 found.cutting.push_back(slot);

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// The torus: packing, bounds, hit, normal.
+#if defined(GLINT_GEOMETRY_TORUS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_GEOMETRY_TORUS_INL_H_
+#undef GLINT_GEOMETRY_TORUS_INL_H_
+#else
+#define GLINT_GEOMETRY_TORUS_INL_H_
+#endif
+
+#include "geometry/torus_ray-inl.h"
+#include "geometry/traits.h"
+#include "glint/shapes.h"
+#include "math/extent.h"
+#include "math/transform.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+struct TorusGeometry : GeometryTraits {
+    static constexpr int k_values = 8;  // center, unit axis, radius, radius of the tube
+
+    static void pack(const Torus& torus, double* p) {
+        const Vec3 axis = glint::normalize(torus.axis);
+        p[0] = torus.center.x, p[1] = torus.center.y, p[2] = torus.center.z;
+        p[3] = axis.x, p[4] = axis.y, p[5] = axis.z;
+        p[6] = torus.radius, p[7] = torus.tube;
+    }
+    static bool is_open(const Torus&) { return false; }
+    static void bounds(const Torus& torus, Vec3& lo, Vec3& hi) {
+        Extent extent;
+        extent.add_disc(torus.center, glint::normalize(torus.axis), torus.radius);
+        const Vec3 tube{torus.tube, torus.tube, torus.tube};
+        lo = extent.lo - tube, hi = extent.hi + tube;
+    }
+
+    /// The function that is 0 on the surface is, along the ray, of degree 4 and has at most three extrema.
+    /// Between two of them it is monotone; the signs at the extrema tell where the first root is, and only
+    /// that one is computed.
+    template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
+        const T radius = p[6], tube = p[7];
+        // A ball with some room around the torus: s runs from -1 to 1 within it, whatever the distance.
+        const Vector3<T> q = ray.origin - vector3(p);
+        const Roots<T> ball = closest_approach(q, ray.direction, (radius + tube) * T(1 + 0x1p-16));
+        if (!any(ball.real)) return {ball.real, ball.b};
+        const TorusRay<T> r(vector3(p + 3), radius, tube, q + ray.direction * ball.b, ray.direction * ball.h);
+
+        // The ends are outside.
+        T at[5] = {T(-1), T(0), T(0), T(0), T(1)}, value[5] = {T(1), T(0), T(0), T(0), T(1)};
+        r.find_extrema(at);
+        for (int i = 1; i < 4; ++i) {
+            at[i] = min(max(at[i], T(-1)), T(1));
+            value[i] = r.value(at[i]);
+        }
+        const T start = (t_min - ball.b) / ball.h;
+        T t = ball.b, next = r.first_bracket(at, value, start);
+        auto valid = t < t;
+        // Of a ray that starts at the surface, the first root may be its start. A root's bits do not depend
+        // on t_min, so that a ray that goes on from a root does not find that again.
+        for (int attempt = 0; attempt < 4; ++attempt) {
+            T from = T(1), to = T(1), inner = T(0), place = T(4);
+            for (int i = 3; i >= 0; --i) {
+                const auto crosses = ball.real && T(i) >= next && r.opposite(value[i], value[i + 1]);
+                from = select(crosses, at[i], from);
+                to = select(crosses, at[i + 1], to);
+                inner = select(crosses, min(value[i], value[i + 1]), inner);
+                place = select(crosses, T(i), place);
+            }
+            const auto found = and_not(place < T(4), valid);
+            if (!any(found)) break;
+            t = select(found, ball.b + ball.h * r.root(from, to, inner), t);
+            valid = valid || (found && t > t_min && t < T(1e300));
+            next = place + T(1);
+        }
+        return {valid, t};
+    }
+
+    /// The normal points away from the tube's center circle. Of a torus that intersects itself, the part of
+    /// the surface around the center belongs to the far side of that circle, and its normal points to the
+    /// center.
+    template <class T> static HWY_INLINE Vector3<T> normal(const T* p, Vector3<T> point) {
+        const Vector3<T> q = point - vector3(p), axis = vector3(p + 3);
+        const T along = dot(q, axis);
+        const Vector3<T> across = q - axis * along;
+        const T from_axis = length(across);
+        const auto is_near = dot(q, q) + p[6] * p[6] >= p[7] * p[7];
+        const Vector3<T> side = select_vector3(is_near, across * (T(1) - p[6] / from_axis) + axis * along,
+                                               across * -(T(1) + p[6] / from_axis) - axis * along);
+        // Where the surface meets the axis, it has no normal: the axis is used.
+        const Vector3<T> tip = axis * select(along < T(0), T(-1), T(1));
+        return select_vector3(from_axis > T(0), normalize(side), tip);
+    }
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif
