@@ -47,11 +47,11 @@ def test_memory_errors_say_what_is_needed():
 
 
 def test_what_glint_does_not_render_is_left_out_if_asked_for(tmp_path):
-    text = "torus { 1, .2 } torus { 2, .1 } sphere { 0, 1 }"
-    with pytest.raises(glint.GlintError, match="does not render `torus`") as caught:
+    text = "blob { } blob { threshold .5 } sphere { 0, 1 }"
+    with pytest.raises(glint.GlintError, match="does not render `blob`") as caught:
         glint.loads(text + " sphere { 0 }", "povray")
     assert [one.can_skip for one in caught.value.diagnostics] == [True, False]
-    with pytest.warns(UserWarning, match="left out 2 objects that glint does not render: `torus`"):
+    with pytest.warns(UserWarning, match="left out 2 objects that glint does not render: `blob`"):
         scene = glint.loads(text, "povray", skip_unsupported=True)
     assert len(scene.shapes) == 1
     (tmp_path / "a.pov").write_text(text)

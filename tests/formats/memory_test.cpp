@@ -125,7 +125,7 @@ TEST(PovrayArrays, ElementsEndMacros) {
 }
 
 TEST(PovrayArrays, ShapesThatAreNotRenderedAreNoLights) {
-    for (const char* shape : {"torus { 1, 1 }", "blob { }", "superellipsoid { <1, 1> }"}) {
+    for (const char* shape : {"torus { 1, 1 }", "torus { 0, 1 }", "blob { }", "superellipsoid { <1, 1> }"}) {
         const Result<Scene> result =
             load_text(std::string("light_source { ") + shape + " }", "a.pov", {}, nullptr, "povray");
         EXPECT_FALSE(result) << shape;

@@ -112,7 +112,22 @@ TEST(PovRay, ShapesHaveTheirParameters) {
         "plane { <0, 0, -3>, 3 }\n"
         "disc { 0, z, 2 }\n"
         "triangle { 0, x, y }\n"
-        "smooth_triangle { 0, z, x, z, y, z }\n");
+        "smooth_triangle { 0, z, x, z, y, z }\n"
+        "torus { 2, .5 sturm translate 3*x }\n"
+        "torus { 2, 3 scale <1, 2, 1> }\n"
+        "disc { 0, y, -2, -.5 }\n"
+        "disc { 0, y, 1, 1.5 }\n"
+        "torus { 1, 0 }\n");
+    ASSERT_EQ(scene.get<Torus>().size(), 2u) << "without a tube, nothing is seen";
+    EXPECT_EQ(scene.get<Torus>()[0].center, (Vec3{3, 0, 0}));
+    EXPECT_EQ(scene.get<Torus>()[0].axis, (Vec3{0, 1, 0}));
+    EXPECT_EQ(scene.get<Torus>()[0].radius, 2);
+    EXPECT_EQ(scene.get<Torus>()[0].tube, 0.5);
+    EXPECT_EQ(scene.get<Torus>()[1].tube, 3);
+    ASSERT_EQ(scene.get<Disc>().size(), 2u) << "and nothing of a disc that is all hole";
+    EXPECT_EQ(scene.get<Disc>()[0].hole, 0);
+    EXPECT_EQ(scene.get<Disc>()[1].radius, 2);
+    EXPECT_EQ(scene.get<Disc>()[1].hole, 0.5);
     EXPECT_EQ(scene.get<Sphere>().at(0).center, (Vec3{1, 2, 3}));
     EXPECT_TRUE(scene.get<Cylinder>().at(0).caps);
     EXPECT_EQ(scene.get<Cylinder>().at(1).radius, 1) << "a cone of equal radii";
@@ -349,10 +364,14 @@ TEST_P(PovRayMistakes, AreReportedAtTheirPlace) { expect_messages(GetParam(), "a
 INSTANTIATE_TEST_SUITE_P(
     PovRay, PovRayMistakes,
     testing::Values(
-        BadText{"Torus",
-                L "$torus { 1, .2 }",
-                {"glint does not render `torus` (a shape) of POV-Ray; the option skip-unsupported leaves it "
+        BadText{"Blob",
+                L "$blob { threshold .6 sphere { 0, 1, 1 } }",
+                {"glint does not render `blob` (a shape) of POV-Ray; the option skip-unsupported leaves it "
                  "out and draws the rest"}},
+        BadText{"Torus",
+                L "$torus { -1, .2 }",
+                {"glint does not render `torus` (with a radius that is not above 0) of POV-Ray; the option "
+                 "skip-unsupported leaves it out and draws the rest"}},
         BadText{"Difference",
                 L "sphere { 0, 1 }\nunion { $difference { box { 0, 1 } sphere { 0, 1 } } }",
                 {"glint does not render `difference` (a solid made of others) of POV-Ray; the option "

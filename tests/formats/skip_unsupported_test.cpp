@@ -29,9 +29,9 @@ TEST(SkipUnsupported, LeavesOutPovRaysShapes) {
         "light_source { 9, 1 }\n"
         "text { ttf \"crystal.ttf\" \"a\" 1, 0 pigment { rgb 1 } }\n"
         "#declare B = text { ttf \"crystal.ttf\" \"b\" 1, 0 }\n"
-        "union { object { B } sphere { 0, 1 } torus { 1, .2 } }\n"
+        "union { object { B } sphere { 0, 1 } blob { } }\n"
         "object { B translate x }\n"
-        "disc { 0, y, 1, .5 }\n"
+        "torus { 0, .5 }\n"
         "light_source { 9, 1 cylinder point_at 0 radius 1 falloff 2 }\n";
     EXPECT_FALSE(load_rest(text, "povray", false));
     const Result<Scene> result = load_rest(text, "povray");
@@ -44,7 +44,7 @@ TEST(SkipUnsupported, LeavesOutPovRaysShapes) {
                         "POV-Ray"),
               std::string::npos)
         << said;
-    EXPECT_NE(said.find("4:38: warning: left out 1 object that glint does not render: `torus` (a shape)"),
+    EXPECT_NE(said.find("4:38: warning: left out 1 object that glint does not render: `blob` (a shape)"),
               std::string::npos)
         << said;
 }
@@ -55,8 +55,7 @@ TEST(SkipUnsupported, IsWhatErrorsSayThatItLeavesOut) {
         for (const Diagnostic& d : result.diagnostics) out.push_back(d.can_skip);
         return out;
     };
-    const std::string text = "torus { 1, .2 }\nsphere { 0, 1 normal { bumps 1 } }\n",
-                      mistake = "sphere { 0 }\n";
+    const std::string text = "blob { }\nsphere { 0, 1 normal { bumps 1 } }\n", mistake = "sphere { 0 }\n";
     EXPECT_EQ(can_skip(load_rest(text + mistake, "povray", false)), (std::vector{true, false, false}));
     EXPECT_EQ(can_skip(load_rest(text, "povray")), (std::vector{false, false}));
 }
@@ -96,7 +95,7 @@ TEST(SkipUnsupported, DrawsObjectsWithoutTheirCuts) {
 // A camera of another kind leaves nothing to draw, and mistakes stay mistakes.
 TEST(SkipUnsupported, KeepsOtherErrors) {
     EXPECT_FALSE(load_rest("camera { fisheye angle 180 }\nsphere { 0, 1 }", "povray"));
-    EXPECT_FALSE(load_rest("torus { 1, .2 }\nsphere { 0 1", "povray"));
+    EXPECT_FALSE(load_rest("blob { }\nsphere { 0 1", "povray"));
     EXPECT_FALSE(load_rest("Begin_Scene Resolution 4 4 Blub 3 End_Scene", "tachyon"));
 }
 
@@ -155,7 +154,7 @@ TEST(SkipUnsupported, CountsBeyondTheLastWarning) {
     std::string text;
     for (int i = 0; i < 200; ++i)
         text += "#warning \"w\"\n#version 3.7;\nsphere { " + std::to_string(i) + ", 1 normal { bumps } }\n";
-    EXPECT_EQ(left_out(load_rest(text + "torus { 1, .2 } torus { 2, .2 }", "povray")), 2u);
+    EXPECT_EQ(left_out(load_rest(text + "blob { } blob { threshold .5 }", "povray")), 2u);
 }
 
 }  // namespace

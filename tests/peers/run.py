@@ -22,11 +22,12 @@ import output
 import patterns
 import pov
 import sky
+import tori
 import transparency
 
 SHARE = 0.99
 LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES, output.RULES, dat.RULES, pov.RULES,
-         images.RULES, patterns.RULES]
+         images.RULES, patterns.RULES, tori.RULES]
 
 
 def read_ppm(path):

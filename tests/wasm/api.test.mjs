@@ -498,15 +498,15 @@ test('reading a scene has a limit of memory', () => {
 });
 
 test('objects that glint does not render are left out if the request asks for it', () => {
-    const texts = [{name: 'a.pov', text: 'torus { 1, .2 } sphere { 0, 1 }'}];
+    const texts = [{name: 'a.pov', text: 'blob { } sphere { 0, 1 }'}];
     const whole = glint.open({texts});
     assert.equal(whole.report.ready, false);
-    assert.match(whole.report.diagnostics[0].message, /does not render `torus`.*the option skip-unsupported leaves it out/);
+    assert.match(whole.report.diagnostics[0].message, /does not render `blob`.*the option skip-unsupported leaves it out/);
     assert.equal(whole.report.diagnostics[0].can_skip, true);
     whole.close();
     const rest = glint.open({texts, skipUnsupported: true});
     assert.equal(rest.report.ready, true);
-    assert.match(rest.report.diagnostics[0].message, /left out 1 object that glint does not render: `torus`/);
+    assert.match(rest.report.diagnostics[0].message, /left out 1 object that glint does not render: `blob`/);
     assert.equal(rest.report.diagnostics[0].can_skip, false);
     rest.close();
 });

@@ -52,12 +52,12 @@ test('every message of a scene that is only warned of', () => withPage(async (pa
 }));
 
 test('objects that glint does not render can be left out', () => withPage(async (page) => {
-    await drop(page, {name: 'a.pov', text: 'light_source { <3, 4, -5>, 1 }\ncamera { location -5*z look_at 0 }\ntorus { 1, .2 }\nsphere { 0, 1 pigment { rgb 1 } }\n'});
+    await drop(page, {name: 'a.pov', text: 'light_source { <3, 4, -5>, 1 }\ncamera { location -5*z look_at 0 }\nblob { }\nsphere { 0, 1 pigment { rgb 1 } }\n'});
     await settled(page, 'error');
-    assert.match(await page.locator('.message.error').innerText(), /does not render `torus`/);
+    assert.match(await page.locator('.message.error').innerText(), /does not render `blob`/);
     await page.getByRole('checkbox', {name: 'leave out what glint does not render'}).check();
     await settled(page);
-    assert.match(await page.locator('.message.warning').innerText(), /left out 1 object that glint does not render: `torus`/);
+    assert.match(await page.locator('.message.warning').innerText(), /left out 1 object that glint does not render: `blob`/);
     await page.getByRole('checkbox', {name: 'leave out what glint does not render'}).uncheck();
     await settled(page, 'error');
     // A mistake cannot be left out.

@@ -30,6 +30,10 @@ Bounds own_bounds(const Object& object) {
         case ObjectKind::disc:
             out.add(object.a, object.r);
             break;
+        case ObjectKind::torus:
+            out.add({-object.r - object.s, -object.s, -object.r - object.s});
+            out.add({object.r + object.s, object.s, object.r + object.s});
+            break;
         case ObjectKind::cylinder:
             out.add(object.a, object.r);
             out.add(object.b, object.r);

@@ -20,6 +20,7 @@ enum class ObjectKind : std::uint8_t {
     box,
     plane,
     disc,
+    torus,
     triangle,
     smooth_triangle,
     mesh,
@@ -90,7 +91,7 @@ using ObjectPart = std::shared_ptr<const Object>;
 struct Object {
     ObjectKind kind = ObjectKind::group;
     Vec3 a, b, c;         ///< points; sphere: center; plane, disc: normal in b
-    double r = 0, s = 0;  ///< radii; plane: the distance
+    double r = 0, s = 0;  ///< radii; plane: the distance; disc: that of the hole in s
     bool is_open = false, is_no_shadow = false, is_merge = false, is_inverse = false, is_uv = false;
     Token at;
     std::optional<Affine> map;  ///< world_from_object

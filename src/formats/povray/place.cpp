@@ -124,14 +124,15 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
 void SceneBuilder::place_shape(const Object& o, const Inherited& from) {
     Inherited own = from;
     const bool has_ends = o.kind == ObjectKind::cylinder || o.kind == ObjectKind::cone;
-    own.is_solid = o.kind == ObjectKind::sphere || (has_ends && !o.is_open);
+    own.is_solid = o.kind == ObjectKind::sphere || (has_ends && !o.is_open) ||
+                   (o.kind == ObjectKind::torus && o.s < o.r);
     std::optional<Affine> sphere;
     if (o.kind == ObjectKind::sphere && own.texture->pigment.image) {
         sphere = own.map ? compose(*own.map, translation(o.a)) : translation(o.a);
         own.sphere = &*sphere;
         own.uv_source = UvSource::sphere;
     }
-    if (o.kind == ObjectKind::box) own.uv_source = UvSource::unknown;
+    if (o.kind == ObjectKind::box || o.kind == ObjectKind::torus) own.uv_source = UvSource::unknown;
     const std::uint32_t material = material_of(own, o.at);
     const auto first = static_cast<std::uint32_t>(scene_.shapes.size());
     const Affine* map = own.map;
@@ -176,8 +177,17 @@ void SceneBuilder::place_shape(const Object& o, const Inherited& from) {
             break;
         }
         case ObjectKind::disc:
-            if (o.r > 0) add(Disc{moved(o.a), rest ? o.b : turned(o.b), o.r * size}, material, rest, o.at);
+            if (o.r > o.s)
+                add(Disc{moved(o.a), rest ? o.b : turned(o.b), o.r * size, o.s * size}, material, rest, o.at);
             break;
+        case ObjectKind::torus: {
+            const Vec3 axis{0, 1, 0};
+            if (o.r > 0 && o.s > 0) {
+                add(Torus{moved({}), rest ? axis : turned(axis), o.r * size, o.s * size}, material, rest,
+                    o.at);
+            }
+            break;
+        }
         case ObjectKind::triangle:
             add(Triangle{{point(o.a), point(o.b), point(o.c)}}, material, nullptr, o.at);
             break;

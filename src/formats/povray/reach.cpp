@@ -35,6 +35,10 @@ std::optional<double> own_reach(const Scene& scene, const Shape& shape, Vec3 d) 
             const Disc& c = scene.get<Disc>()[shape.index];
             return dot(d, c.center) + disc_reach(c.normal, c.radius, d);
         }
+        case ShapeKind::torus: {
+            const Torus& t = scene.get<Torus>()[shape.index];
+            return dot(d, t.center) + disc_reach(t.axis, t.radius, d) + t.tube * length(d);
+        }
         case ShapeKind::box: {
             const Box& b = scene.get<Box>()[shape.index];
             return std::max(d.x * b.min.x, d.x * b.max.x) + std::max(d.y * b.min.y, d.y * b.max.y) +

@@ -54,6 +54,12 @@ Object ObjectParser::read_shape(const Token& word) {
             object.r = number();
             if (next()) object.s = number();
             break;
+        case Word::k_torus:
+            object.kind = ObjectKind::torus;
+            object.r = number();
+            next();
+            object.s = number();
+            break;
         case Word::k_triangle:
             object.kind = ObjectKind::triangle;
             object.a = vector();
@@ -94,11 +100,13 @@ void ObjectParser::check_shape(Object& object) {
     if (object.kind == ObjectKind::plane || object.kind == ObjectKind::disc) {
         if (object.b == Vec3{0, 0, 0}) error(object.at, "expected a normal other than 0");
     }
-    if (object.kind == ObjectKind::disc && object.s > 0) {
-        object.missing.add({"disc", "with a hole", call_place(object.at), true});
+    // POV-Ray draws parts of it, or noise (measured).
+    if (object.kind == ObjectKind::torus && (!(object.r > 0) || object.s < 0)) {
+        object.missing.add({"torus", "with a radius that is not above 0", call_place(object.at), true});
     }
     if (object.r < 0) object.r = -object.r;
-    if (object.s < 0 && object.kind == ObjectKind::cone) object.s = -object.s;
+    if (object.s < 0 && (object.kind == ObjectKind::cone || object.kind == ObjectKind::disc))
+        object.s = -object.s;
 }
 
 }  // namespace glint::povray
