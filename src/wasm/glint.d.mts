@@ -470,13 +470,13 @@ export interface ShadowSampleTerms {
 }
 
 export interface TextureTerms {
-    /** u in the picture, to the right */
+    /** u in the picture, to the right; with a `color_map`, the place in it */
     u: number;
     /** v in the picture, up */
     v: number;
-    /** of the first texel, from the left, from 0; -1 beside the picture, with the wrap clip */
+    /** of the first texel, from the left, from 0; -1 beside the picture, with the wrap clip; with a `color_map`, the number of its color, from 0 */
     column: number;
-    /** of the texel that is mixed with it */
+    /** of the texel, or color of the map, that is mixed with it */
     next_column: number;
     /** of the first texel, from the top, from 0; -1 as above */
     row: number;
@@ -486,9 +486,9 @@ export interface TextureTerms {
     next_column_weight: number;
     /** the weight of the next row */
     next_row_weight: number;
-    /** the texels' color, decoded and mixed */
+    /** the color of the texels or of the map, decoded and mixed */
     color: Vec3;
-    /** the texels' alpha, mixed; 1 without one */
+    /** their alpha, mixed; 1 without one */
     alpha: number;
 }
 
