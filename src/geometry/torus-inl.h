@@ -37,7 +37,8 @@ struct TorusGeometry : GeometryTraits {
     /// The function that is 0 on the surface is, along the ray, of degree 4 and has at most three extrema.
     /// Between two of them it is monotone; the signs at the extrema tell where the first root is, and only
     /// that one is computed.
-    template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
+    // Not inline: the kernels call it from a dozen places, and a torus takes much longer than the call.
+    template <class T> static HWY_NOINLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         const T radius = p[6], tube = p[7];
         // A ball with some room around the torus: s runs from -1 to 1 within it, whatever the distance.
         const Vector3<T> q = ray.origin - vector3(p);
