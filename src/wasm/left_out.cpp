@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // glint-core.wasm, which the page starts with, is linked from the same objects as glint.wasm, but with these
-// functions in place of formats/povray, the readers of Tachyon's scenes, of .obj and of glTF, compare, check,
-// diagnose and the decoders of textures: almost half of the file. They are all that others call of these, so
-// the linker takes nothing else of them. A call that needs one cannot be answered: glint_left_out() then says
+// functions in place of formats/povray, the readers of CSC 473's, Tachyon's and .nff scenes, of .obj, .stl
+// and glTF, compare, check, diagnose and the decoders of textures: almost half of the file. They are all that
+// others call of these, so the linker takes nothing else of them. A call that needs one cannot be answered: glint_left_out() then says
 // so, and the page repeats it with glint.wasm.
 #include <cstdint>
 
+#include "formats/csc473.h"
 #include "formats/mesh_file.h"
 #include "formats/povray/standard_includes.h"
 #include "formats/registry.h"
@@ -32,6 +33,31 @@ void set_povray_defaults(Scene&) {}
 
 void read_povray(LoadState& reading, const ReadText& text) {
     reading.diagnostics.error(text.place, 0, 0, leave_out().message);
+}
+
+void set_csc473_defaults(Scene&) {}
+
+void read_csc473(LoadState& reading, const ReadText& text) {
+    reading.diagnostics.error(text.place, 0, 0, leave_out().message);
+}
+
+std::optional<Diagnostic> first_csc473_error(const SceneText&) {
+    leave_out();
+    return {};
+}
+
+void set_nff_defaults(Scene&) {}
+
+void read_nff(LoadState& reading, const ReadText& text) {
+    reading.diagnostics.error(text.place, 0, 0, leave_out().message);
+}
+
+void read_stl(LoadState& reading, const ReadText& text) {
+    reading.diagnostics.error(text.place, 0, 0, leave_out().message);
+}
+std::shared_ptr<const MeshData> read_stl_mesh(LoadState& reading, InputText where) {
+    reading.diagnostics.error(where, 0, 0, leave_out().message);
+    return nullptr;
 }
 
 void read_obj(LoadState& reading, const ReadText& text) {

@@ -31,7 +31,7 @@ function results(glint, texts) {
     return all;
 }
 
-const inCore = files.filter((name) => !name.includes('/parts/') && !name.includes('only_') && !/[.]gltf$/.test(name));
+const inCore = files.filter((name) => !name.includes('/parts/') && !name.includes('only_') && !/[.](gltf|nff|pov)$/.test(name));
 for (const name of inCore) {
     test(`the core has the results of the whole: ${name}`, async () => {
         const glint = await instantiate(core);
@@ -46,6 +46,9 @@ test('the core says what it leaves out, and the whole does not', async () => {
         "POV-Ray's language": (glint) => glint.open({texts: [ball]}),
         'the same in an included text': (glint) => glint.open({texts: [{name: 'a.glint', text: 'include "ball.pov"\n'}], includes: [ball]}),
         "Tachyon's scenes": (glint) => glint.open({texts: [{name: 'a.dat', text: 'BEGIN_SCENE\nRESOLUTION 4 3\nEND_SCENE\n'}]}),
+        "CSC 473's scenes": (glint) => glint.open({texts: [read('csc473/cone_tower.pov')]}),
+        '.nff': (glint) => glint.open({texts: [read('nff/pyramid.nff')]}),
+        '.stl': (glint) => glint.open({texts: [{name: 'a.stl', text: 'solid a\nendsolid a\n'}]}),
         "Wavefront's meshes": (glint) => glint.open({texts: [{name: 'a.obj', text: 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n'}]}),
         glTF: (glint) => glint.open({texts: [{name: 'a.gltf', text: '{"asset": {"version": "2.0"}}'}]}),
         causes: (glint) => {

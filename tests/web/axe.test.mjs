@@ -136,7 +136,7 @@ for (const scheme of ['light', 'dark']) {
 const dist = join(project, 'web/dist');
 const compressed = (names) => names.reduce((sum, name) => sum + gzipSync(readFileSync(join(dist, name)), {level: 9}).length, 0);
 
-test('a first visit loads less than 725 kB, compressed, before its first picture', () => withPage(async (_, context) => {
+test('a first visit loads less than 700 kB, compressed, before its first picture', () => withPage(async (_, context) => {
     const page = await context.newPage();
     const wanted = new Set(), later = [];
     const nameOf = (request) => new URL(request.url()).pathname.slice(1) || 'index.html';
@@ -153,7 +153,7 @@ test('a first visit loads less than 725 kB, compressed, before its first picture
     for (const kind of ['index.html', '.css', '.js', 'worker-', 'glint-core']) assert.ok(files.some((name) => name.includes(kind)), `${kind} in ${files}`);
     const size = compressed(files);
     console.log(`# ${size} bytes: ${files.join(', ')}`);
-    assert.ok(size < 725_000, `${size} bytes: ${files}`);
+    assert.ok(size < 700_000, `${size} bytes: ${files}`);
     await page.close();
 }));
 
