@@ -2,8 +2,8 @@
 // glint-core.wasm, which the page starts with, is linked from the same objects as glint.wasm, but with these
 // functions in place of formats/povray, the readers of CSC 473's, Tachyon's and .nff scenes, of .obj, .stl
 // and glTF, compare, check, diagnose and the decoders of textures: almost half of the file. They are all that
-// others call of these, so the linker takes nothing else of them. A call that needs one cannot be answered: glint_left_out() then says
-// so, and the page repeats it with glint.wasm.
+// others call of these, so the linker takes nothing else of them. A call that needs one cannot be answered:
+// glint_left_out() then says so, and the page repeats it with glint.wasm.
 #include <cstdint>
 
 #include "formats/csc473.h"
