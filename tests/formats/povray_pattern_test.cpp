@@ -68,6 +68,8 @@ TEST(PovrayPatterns, WhatIsNotDrawnIsSaid) {
     for (const std::string& pigment :
          {mapped("bozo"), mapped("onion", "turbulence 0.3"), mapped("onion", "frequency 1.5"),
           mapped("spherical", "frequency 2"), mapped("gradient x", "sine_wave"), std::string("onion"),
+          std::string("onion color_map { [0.5 rgb 1] [0.2 rgb 0] }"),
+          std::string("onion color_map { [0 rgb 1] [1.5 rgb 0] }"),
           std::string("hexagon rgb x rgb y rgb z")}) {
         const Result<Scene> result = read_pattern_ball(pigment);
         EXPECT_TRUE(result);
@@ -78,6 +80,20 @@ TEST(PovrayPatterns, WhatIsNotDrawnIsSaid) {
     const Result<Scene> filtered = read_pattern_ball("onion color_map { [0 rgb 1] [1 rgbf 0.5] }");
     EXPECT_NE(messages(filtered).find("it is drawn as transmit"), std::string::npos) << messages(filtered);
     EXPECT_EQ(filtered.value_or(Scene{}).textures.size(), 1u);
+    EXPECT_NE(messages(read_pattern_ball("checker rgb 1 rgbf 0.5")).find("it is drawn as transmit"),
+              std::string::npos);
+}
+
+TEST(PovrayPatterns, ANewPatternReplacesThatOfANamedPigment) {
+    const std::string map = " color_map { [0 rgb x] [1 rgb z] } ";
+    const std::string sky = "light_source { 9, 1 }\n#declare P = pigment { gradient y" + map +
+                            "}\nsphere { 0, 1 }\nsky_sphere { pigment { P ";
+    EXPECT_TRUE(read_povray(sky + "} }").value_or(Scene{}).gradient);
+    for (const std::string pattern : {"bozo", "onion"}) {
+        const Result<Scene> other = read_povray(sky + pattern + map + "} }");
+        EXPECT_FALSE(other.value_or(Scene{}).gradient) << pattern;
+        EXPECT_NE(messages(other).find("sky_sphere"), std::string::npos) << messages(other);
+    }
 }
 
 }  // namespace

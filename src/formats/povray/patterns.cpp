@@ -52,6 +52,17 @@ Affine x_to(Vec3 d) {
     return {{{d.x, side.x, up.x, 0}, {d.y, side.y, up.y, 0}, {d.z, side.z, up.z, 0}}};
 }
 
+double opacity_of(const std::array<double, 5>& color) {
+    return std::clamp(1 - color[3] - color[4], 0.0, 1.0);
+}
+
+// Whether the places of the colors are from 0 to 1 and in order.
+bool is_in_order(const CountedVector<ColorMapEntry>& map) {
+    const auto is_less = [](const ColorMapEntry& a, const ColorMapEntry& b) { return a.at < b.at; };
+    return map.empty() ||
+           (map.front().at >= 0 && map.back().at <= 1 && std::is_sorted(map.begin(), map.end(), is_less));
+}
+
 // How `frequency`, `phase` and the wave change u: factor u + offset, wrapped. Nothing if the engine has no
 // such map.
 struct Change {
@@ -80,6 +91,10 @@ void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optio
                                   [&](const PatternRow& p) { return p.word == text_of(item); });
     pigment.missing = missing(item, text_of(item));
     pigment.missing->meaning = "a pattern";
+    // What a named pigment before it had.
+    pigment.gradient = nullptr;
+    pigment.image = nullptr;
+    pigment.image_number = 0;
     if (row == std::end(k_patterns)) return skip_rest();
     glint::Texture texture;
     texture.mapping = row->mapping;
@@ -87,7 +102,7 @@ void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optio
     PatternItems items;
     Vec3 axis{1, 0, 0};
     const bool is_block = row->mapping == TextureMapping::checker;
-    if (is_block) read_block_colors(texture);
+    bool has_filter = is_block && read_block_colors(texture);
     if (row->word == "gradient") {
         const Token at = peek();
         axis = vector();
@@ -105,16 +120,9 @@ void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optio
     }
     const std::optional<Change> change = is_block ? Change{} : change_of(*row, items);
     if (!items.is_known || !change || (!is_block && items.map.empty())) return;
-    bool has_filter = false;
     for (const ColorMapEntry& entry : items.map) {
-        const double filter = entry.color[3], transmit = entry.color[4];
-        has_filter = has_filter || filter != 0;
-        texture.color_map.push_back({std::clamp(entry.at, 0.0, 1.0), rgb_of(entry.color),
-                                     std::clamp(1 - filter - transmit, 0.0, 1.0)});
-        if (texture.color_map.size() > 1) {
-            double& at = texture.color_map.back().at;
-            at = std::max(at, (texture.color_map.end() - 2)->at);
-        }
+        has_filter = has_filter || entry.color[3] != 0;
+        texture.color_map.push_back({entry.at, rgb_of(entry.color), opacity_of(entry.color)});
     }
     texture.uv_map.m[0][0] = change->factor;
     texture.uv_map.m[0][2] = change->offset;
@@ -128,27 +136,30 @@ void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optio
     pigment.image_number = ++images_;
 }
 
-// The colors of a checker, which has blue and green by itself.
-void TextureParser::read_block_colors(glint::Texture& texture) {
+// The colors of a checker, which has blue and green by itself; whether one has a filter.
+bool TextureParser::read_block_colors(glint::Texture& texture) {
     texture.filter = TextureFilter::nearest;
     texture.color_map = {{0, {0, 0, 1}}, {0.5, {0, 1, 0}}};
+    bool has_filter = false;
     for (TextureColor& entry : texture.color_map) {
         const Token next = peek();
         const bool is_name =
             next.kind == TokenKind::word && !Names::is_reserved(next.name) && find_value(next) != nullptr;
-        if (failed() || !(begins_color(next) || begins_number(next) || is_name)) return;
+        if (failed() || !(begins_color(next) || begins_number(next) || is_name)) break;
         const std::array<double, 5> c = color(true);
         entry.color = rgb_of(c);
-        entry.alpha = std::clamp(1 - c[3] - c[4], 0.0, 1.0);
+        entry.alpha = opacity_of(c);
+        has_filter = has_filter || c[3] != 0;
         accept(',');
     }
+    return has_filter;
 }
 
 void TextureParser::read_pattern_items(PatternItems& items, std::optional<Affine>& map) {
     while (!failed() && !peek().is('}')) {
         if (read_transform_item(map)) continue;
         if (accept(Word::k_color_map) || accept(Word::k_colour_map)) {
-            items.is_known = read_color_map(items.map) && items.is_known;
+            items.is_known = read_color_map(items.map) && is_in_order(items.map) && items.is_known;
             continue;
         }
         const Token item = peek();

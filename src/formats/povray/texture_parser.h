@@ -68,7 +68,7 @@ class TextureParser : public ValueParser {
     bool accept_albedo();
     void read_reflection(Finish& finish);
     void read_pattern(Pigment& pigment, const Token& item, std::optional<Affine>& map);
-    void read_block_colors(glint::Texture& texture);
+    bool read_block_colors(glint::Texture& texture);
     void read_pattern_items(PatternItems& items, std::optional<Affine>& map);
     bool read_color_map(CountedVector<ColorMapEntry>& map);
     Opaque read_interior(const Token& at);
