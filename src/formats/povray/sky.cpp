@@ -39,6 +39,7 @@ std::optional<Along> along(const GradientPattern& gradient, const std::optional<
 // Of the pattern `planar`, 1 - |x|, as a gradient from x = -1 to x = 1.
 std::vector<TextureColor> both_sides(const std::vector<TextureColor>& colors) {
     std::vector<TextureColor> both;
+    both.reserve(2 * colors.size());
     for (const TextureColor& c : colors) both.push_back({c.at / 2, c.color});
     for (std::size_t i = colors.size(); i-- > 0;) both.push_back({1 - colors[i].at / 2, colors[i].color});
     return both;
