@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -16,12 +17,11 @@
 #include "glint/item_names.h"
 #include "glint/mesh.h"
 #include "glint/shapes.h"
+#include "glint/solid.h"
 #include "glint/texture.h"
 #include "glint/vec.h"
 
 namespace glint {
-
-inline constexpr std::uint32_t k_none = 0xffffffffu;
 
 enum class Projection : std::uint8_t { perspective, orthographic };
 enum class FovAxis : std::uint8_t { x, y };
@@ -308,14 +308,6 @@ struct ShapeColor {
     constexpr Color color() const { return {r, g, b}; }
 };
 
-/// One shape of the scene: parameters number `index` of its kind, its material and its transform.
-struct Shape {
-    ShapeKind kind = ShapeKind::sphere;
-    std::uint32_t index = 0;           ///< into Scene::get<Kind>()
-    std::uint32_t material = k_none;   ///< into Scene::materials; k_none: the default Material
-    std::uint32_t transform = k_none;  ///< into Scene::transforms (world_from_object); k_none: identity
-};
-
 /// Names and places of a list of items, by index. Empty for scenes made in code; names are sparse.
 struct ItemTexts {
     ItemNames names;
@@ -344,6 +336,7 @@ struct Scene {
     std::vector<Affine> transforms;                       ///< world_from_object, invertible
     std::vector<Vec3> polygon_vertices;                   ///< referred to by Polygons
     std::vector<std::shared_ptr<const MeshData>> meshes;  ///< referred to by Meshes; shared by copies
+    std::vector<SolidTree> solids;                        ///< referred to by Solids
     std::vector<Texture> textures;                        ///< referred to by materials
     /// By mesh: the index in `files` of the file that it was read from, which has no other mesh; k_no_file:
     /// none. A shorter list: the other meshes are of no file.
@@ -410,6 +403,24 @@ template <class T> std::uint32_t Scene::add(const T& shape, std::uint32_t materi
         {ShapeKindOf<T>::value, static_cast<std::uint32_t>(list.size() - 1), material, transform});
     return static_cast<std::uint32_t>(shapes.size() - 1);
 }
+
+/// The shapes that a solid consists of; nothing for other kinds.
+inline std::span<const Shape> operands_of(const Scene& scene, const Shape& shape) {
+    if (shape.kind != ShapeKind::solid || shape.index >= scene.get<Solid>().size()) return {};
+    const std::uint32_t solid = scene.get<Solid>()[shape.index].solid;
+    if (solid >= scene.solids.size()) return {};
+    return scene.solids[solid].operands;
+}
+
+/// A solid of shapes, in order; those that are solids become parts of the tree. The parts need not be in
+/// Scene::shapes. Adds the transforms that it composes to the scene. validate() tells of parts that enclose
+/// no space. Throws only std::bad_alloc.
+GLINT_API SolidTree combine(Scene& scene, SolidOperation operation, std::span<const Shape> parts);
+
+/// Replaces the scene's shapes from index `first` on by a solid of them, and returns its index; k_none
+/// without any. Their colors are lost; Scene::shape_texts is not changed. Throws only std::bad_alloc.
+GLINT_API std::uint32_t combine_last(Scene& scene, SolidOperation operation, std::uint32_t first,
+                                     std::uint32_t material = k_none, std::uint32_t transform = k_none);
 
 /// The material with another color. Its ambient, diffuse and specular coefficients stay the same multiples
 /// of the color, if they are multiples of it; of a black color, black coefficients become the usual

@@ -10,6 +10,8 @@
 
 namespace glint {
 
+inline constexpr std::uint32_t k_none = 0xffffffffu;
+
 /// All points at distance radius > 0 from the center. The normal points outward.
 struct Sphere {
     Vec3 center;
@@ -110,6 +112,11 @@ struct Torus {
     }
 };
 
+/// A combination of shapes: Scene::solids[solid].
+struct Solid {
+    std::uint32_t solid = 0;
+};
+
 // The list of kinds: X(Type, word), in the order of ShapeKind. Ties between shapes are resolved by scene
 // order.
 #define GLINT_SHAPES(X)                \
@@ -123,7 +130,8 @@ struct Torus {
     X(SmoothTriangle, smooth_triangle) \
     X(Polygon, polygon)                \
     X(Mesh, mesh)                      \
-    X(Torus, torus)
+    X(Torus, torus)                    \
+    X(Solid, solid)
 
 enum class ShapeKind : std::uint8_t {
 #define GLINT_KIND(Type, word) word,
@@ -136,5 +144,13 @@ inline constexpr int k_shape_kinds = 0
     GLINT_SHAPES(GLINT_KIND)
 #undef GLINT_KIND
     ;
+
+/// One shape of the scene: parameters number `index` of its kind, its material and its transform.
+struct Shape {
+    ShapeKind kind = ShapeKind::sphere;
+    std::uint32_t index = 0;           ///< into Scene::get<Kind>()
+    std::uint32_t material = k_none;   ///< into Scene::materials; k_none: the default Material
+    std::uint32_t transform = k_none;  ///< into Scene::transforms (world_from_object); k_none: identity
+};
 
 }  // namespace glint

@@ -39,7 +39,7 @@ bool is_enclosure(const WorldParts& world, std::uint32_t shape) {
         if (slot != own &&
             contains(enclosure, to_bounds(HWY_NAMESPACE::primitive_bounds(*world.geometry, slot))))
             return true;
-    for (std::uint32_t slot = world.geometry->bounded; slot < world.geometry->count; ++slot) {
+    for (std::uint32_t slot = world.geometry->bounded; slot < world.geometry->first_operand(); ++slot) {
         const ShapeClass& planes = world.geometry->class_of(slot);
         const auto value = [&](int k) { return planes.value(k, slot); };
         if (cuts({value(0), value(1), value(2)}, {value(3), value(4), value(5)}, enclosure)) return true;

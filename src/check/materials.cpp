@@ -171,6 +171,8 @@ void check_materials(CheckContext& context, bool sees) {
     const Scene& scene = context.scene();
     std::vector<bool> used(scene.materials.size()), solid(scene.materials.size());
     for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
+        for (const Shape& operand : operands_of(scene, scene.shapes[i]))
+            if (operand.material != k_none) used[operand.material] = true;
         const std::uint32_t material = scene.shapes[i].material;
         if (material == k_none) continue;
         used[material] = true;

@@ -113,8 +113,9 @@ struct OnceTextures {
     std::vector<bool> has_surface, reaches;
 };
 
-// Planes reach any place.
+// Planes reach any place. Of operands, nothing is known.
 bool is_everywhere(const PackedGeometry& geometry, const PreparedTexture& texture, std::uint32_t slot) {
+    if (geometry.operand_of(slot) != nullptr) return true;
     return slot >= geometry.bounded &&
            (texture.mapping == TextureMapping::planar || texture.mapping == TextureMapping::cylindrical);
 }

@@ -109,7 +109,7 @@ Unseen find_unseen(const WorldParts& world, const std::vector<bool>& seen) {
     const Frame frame(world.camera, world.settings);
     // A polygon has the place of its most visible triangle.
     std::vector<Place> places(seen.size(), Place::not_rendered);
-    for (std::uint32_t slot = 0; slot < world.geometry->count; ++slot) {
+    for (std::uint32_t slot = 0; slot < world.geometry->first_operand(); ++slot) {
         Place& place = places[world.geometry->shape_index[slot]];
         if (slot < world.geometry->bounded) {
             place = std::max(

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "formats/glint_item.h"
+#include "formats/glint_solid.h"
 #include "formats/glint_texture.h"
 #include "formats/include.h"
 #include "formats/profile_file.h"
@@ -17,10 +17,11 @@ namespace {
 constexpr std::string_view k_what =
     "a block (`camera`, `light`, `material`, `sphere`, `group`, ...), a setting or `include`";
 constexpr std::string_view k_block_words[] = {
-    "sphere",  "material", "texture",     "light", "group",     "camera",
-    "plane",   "cylinder", "cone",        "disc",  "box",       "triangle",
-    "polygon", "render",   "conventions", "fog",   "occlusion", "background_gradient",
-    "torus"};
+    "sphere",  "material", "texture",     "light",        "group",      "camera",
+    "plane",   "cylinder", "cone",        "disc",         "box",        "triangle",
+    "polygon", "render",   "conventions", "fog",          "occlusion",  "background_gradient",
+    "torus",   "union",    "merge",       "intersection", "difference", "inverse",
+    "clip"};
 constexpr std::string_view k_setting_words[] = {"background", "profile", "glint"};
 
 // The keys of Conventions, or of RenderSettings.
@@ -33,11 +34,12 @@ struct SettingFields {
     std::vector<Field> fields;
 };
 
-// An open group. Its keys precede its contents.
+// An open group or solid. Its keys precede its contents.
 struct Group {
     GlintContext context;
     GlintItem item;
-    FieldSet set{"group", k_item_fields, material_hints()};
+    std::optional<GlintSolid> solid;
+    FieldSet set;
     Token word;
     bool has_begun = false;  // its contents have begun: the context is complete
 };
@@ -55,15 +57,15 @@ class GlintReader {
         }
         t_.blocks.read([&](const Token& word, std::string_view name) { return read_block(word, name); },
                        [&](const Token& word, std::string_view name) { return read_setting(word, name); },
-                       [&](const Token&) { return read_include(); }, [&] { groups_.pop_back(); });
+                       [&](const Token&) { return read_include(); }, [&] { close_group(); });
     }
 
   private:
     bool read_block(const Token& word, std::string_view name) {
         if (is_shape_word(name)) {
             read_glint_shape(t_, word, context());
-        } else if (name == "group") {
-            open_group(word);
+        } else if (name == "group" || solid_operation(name)) {
+            open_group(word, name);
         } else if (std::find(std::begin(k_block_words), std::end(k_block_words), name) ==
                    std::end(k_block_words)) {
             const bool is_setting = std::find(std::begin(k_setting_words), std::end(k_setting_words), name) !=
@@ -244,12 +246,24 @@ class GlintReader {
         return true;
     }
 
-    void open_group(const Token& word) {
-        const GlintContext around = context();
-        if (!t_.blocks.open(word)) return;
-        groups_.emplace_back();
-        groups_.back().context = around;
-        groups_.back().word = word;
+    void open_group(const Token& word, std::string_view name) {
+        const auto operation = solid_operation(name);
+        const std::span<const Field> fields =
+            operation ? std::span<const Field>(k_solid_fields) : k_item_fields;
+        Group group{{}, {}, {}, FieldSet{name, fields, material_hints()}, word};
+        if (operation) {
+            // Its parts have its material and its transform by the solid.
+            group.solid = {*operation, t_.scene.shapes.size(), context(), {}, block_name(t_)};
+        } else {
+            group.context = context();
+        }
+        if (t_.blocks.open(word)) groups_.push_back(std::move(group));
+    }
+
+    void close_group() {
+        Group& group = groups_.back();
+        if (group.solid) close_glint_solid(t_, group.word, *group.solid, group.item);
+        groups_.pop_back();
     }
 
     bool read_group_key(const Token& word, std::string_view name) {
@@ -257,9 +271,12 @@ class GlintReader {
         const int field = p_.field(group.set, word, name);
         if (field < 0) return false;
         if (group.has_begun) {
-            p_.error(word, fmt::format("expected {} before what the group holds", quoted(name)));
+            p_.error(word, fmt::format("expected {} before what the {} holds", quoted(name),
+                                       group.solid ? p_.text(group.word) : "group"));
             return false;
         }
+        if (field == static_cast<int>(std::size(k_item_fields)))
+            return read_color(t_, group.solid->color.emplace(), k_channel, ColorUse::surface);
         return read_item_key(t_, field, word, group.item);
     }
 
@@ -269,6 +286,7 @@ class GlintReader {
         Group& group = groups_.back();
         if (!group.has_begun) {
             group.has_begun = true;
+            if (group.solid) return group.context;
             if (const auto map = compose_maps(std::nullopt, group.item.map)) {
                 group.context.map = compose_maps(group.context.map, map);
                 group.context.transform = k_none;

@@ -14,6 +14,7 @@ std::vector<std::string_view> key_names(std::span<const Field> fields) {
 std::vector<GlintBlock> glint_blocks() {
     std::vector<GlintBlock> blocks;
     add_shape_blocks(blocks);
+    add_solid_blocks(blocks);
     blocks.push_back({"group", key_names(k_item_fields)});
     blocks.push_back({"material", key_names(k_material_keys)});
     blocks.push_back({"texture", key_names(glint_texture_keys())});

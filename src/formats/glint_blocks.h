@@ -22,6 +22,7 @@ std::vector<std::string_view> key_names(std::span<const Field> fields);
 
 // The parts of glint_blocks(), each beside its reader.
 void add_shape_blocks(std::vector<GlintBlock>& blocks);
+void add_solid_blocks(std::vector<GlintBlock>& blocks);
 std::span<const Field> glint_light_keys();
 std::span<const Field> glint_camera_keys();
 std::span<const Field> glint_fog_keys();

@@ -21,12 +21,13 @@ template <class T> std::uint64_t bytes_of(const std::vector<T>& list) {
 std::uint64_t bytes_of(const Scene& scene) {
     std::uint64_t bytes = bytes_of(scene.lights) + bytes_of(scene.materials) + bytes_of(scene.transforms) +
                           bytes_of(scene.polygon_vertices) + bytes_of(scene.textures) +
-                          bytes_of(scene.meshes) + bytes_of(scene.shapes) + bytes_of(scene.shape_colors) +
-                          bytes_of(scene.light_texts.places) + bytes_of(scene.material_texts.places) +
-                          bytes_of(scene.shape_texts.places);
+                          bytes_of(scene.solids) + bytes_of(scene.meshes) + bytes_of(scene.shapes) +
+                          bytes_of(scene.shape_colors) + bytes_of(scene.light_texts.places) +
+                          bytes_of(scene.material_texts.places) + bytes_of(scene.shape_texts.places);
 #define GLINT_KIND(Type, word) bytes += bytes_of(scene.get<Type>());
     GLINT_SHAPES(GLINT_KIND)
 #undef GLINT_KIND
+    for (const SolidTree& solid : scene.solids) bytes += bytes_of(solid.operands) + bytes_of(solid.steps);
     return bytes;
 }
 

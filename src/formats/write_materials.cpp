@@ -46,6 +46,9 @@ void MaterialPlan::use_own_names(const Scene& scene) {
     std::vector<bool> is_used(scene.materials.size());
     for (const Shape& shape : scene.shapes) {
         if (shape.material != k_none) is_used[shape.material] = true;
+        for (const Shape& operand : operands_of(scene, shape)) {
+            if (operand.material != k_none) is_used[operand.material] = true;
+        }
     }
     for (const bool used : {true, false}) {
         for (std::uint32_t i = 0; i < named_.size(); ++i) {
@@ -74,11 +77,15 @@ void MaterialPlan::merge_unnamed(const Scene& scene) {
     }
 }
 
-// Materials without a name that several shapes have get one.
+// Materials without a name that several shapes have get one, and those of operands: without any, an operand
+// has its solid's.
 void MaterialPlan::name_shared(const Scene& scene) {
     std::vector<std::uint32_t> uses(scene.materials.size());
     for (const Shape& shape : scene.shapes) {
         if (shape.material != k_none) ++uses[written_[shape.material]];
+        for (const Shape& operand : operands_of(scene, shape)) {
+            if (operand.material != k_none) uses[written_[operand.material]] += 2;
+        }
     }
     std::size_t number = 0;
     for (std::uint32_t i = 0; i < uses.size(); ++i) {

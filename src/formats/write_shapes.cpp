@@ -7,7 +7,9 @@
 #include <iterator>
 #include <span>
 
+#include "formats/glint_solid.h"
 #include "math/transform.h"
+#include "scene/solid_steps.h"
 
 namespace glint {
 namespace {
@@ -64,7 +66,17 @@ class ShapeWriter {
 
     void write_shape(std::uint32_t i, std::uint32_t transform) {
         const Shape& s = scene_.shapes[i];
+        if (s.kind == ShapeKind::solid) return write_solid(i, transform);
         block_.begin(word_of(s.kind), scene_.shape_texts.name(i), word_width_);
+        write_parameters(s);
+        const ItemComments* const material_comments = write_material(s, true);
+        if (scene_.shape_color(i)) append(block_.key("shape_color"), scene_.shape_colors[i]);
+        if (transform != k_none) write_map(block_, scene_.transforms[transform]);
+        write_comments(material_comments);
+        comments_.end_block(block_, ItemKind::shape, i);
+    }
+
+    void write_parameters(const Shape& s) {
         switch (s.kind) {
 #define GLINT_KIND(Type, word)                   \
     case ShapeKind::word:                        \
@@ -73,23 +85,70 @@ class ShapeWriter {
             GLINT_SHAPES(GLINT_KIND)
 #undef GLINT_KIND
         }
-        const ItemComments* material_comments = nullptr;
-        if (s.material != k_none) {
-            if (materials_.is_named(s.material)) {
-                append_name(block_.key("material"), materials_.name(s.material));
-            } else if (!glint::same_bits(scene_.materials[s.material], Material{})) {
-                block_.begin_part();
-                write_material_keys(block_, materials_, scene_.materials[s.material]);
-                material_comments = comments_.of(ItemKind::material, s.material);
-            }
+    }
+
+    // The keys of the material in the block, or its name. Returns its comments if they are to be here.
+    const ItemComments* write_material(const Shape& s, bool is_part) {
+        if (s.material == k_none) return nullptr;
+        if (materials_.is_named(s.material)) {
+            append_name(block_.key("material"), materials_.name(s.material));
+            return nullptr;
         }
-        if (scene_.shape_color(i)) append(block_.key("shape_color"), scene_.shape_colors[i]);
-        if (transform != k_none) write_map(block_, scene_.transforms[transform]);
-        if (material_comments != nullptr) {
-            block_.comments(material_comments->above);
-            block_.comments(material_comments->after);
+        if (glint::same_bits(scene_.materials[s.material], Material{})) return nullptr;
+        if (is_part) block_.begin_part();
+        write_material_keys(block_, materials_, scene_.materials[s.material]);
+        return comments_.of(ItemKind::material, s.material);
+    }
+    void write_comments(const ItemComments* of) {
+        if (of == nullptr) return;
+        block_.comments(of->above);
+        block_.comments(of->after);
+    }
+
+    // A block of its parts. Its keys are in lines before them.
+    void write_solid(std::uint32_t i, std::uint32_t transform) {
+        const Shape& s = scene_.shapes[i];
+        const SolidTree& tree = scene_.solids[scene_.get<Solid>()[s.index].solid];
+        std::string head(solid_word(tree.steps.back().operation));
+        // A solid of one shape.
+        if (tree.steps.back().operation == SolidOperation::operand) head = solid_word(SolidOperation::merge);
+        if (!scene_.shape_texts.name(i).empty()) {
+            head += ' ';
+            append_name(head, scene_.shape_texts.name(i));
         }
-        comments_.end_block(block_, ItemKind::shape, i);
+        block_.open(head);
+        const bool has_material =
+            s.material != k_none &&
+            (materials_.is_named(s.material) || !glint::same_bits(scene_.materials[s.material], Material{}));
+        if (has_material || scene_.shape_color(i) || transform != k_none ||
+            comments_.of(ItemKind::shape, i) != nullptr) {
+            block_.begin({});
+            const ItemComments* const material_comments = write_material(s, false);
+            if (scene_.shape_color(i)) append(block_.key("shape_color"), scene_.shape_colors[i]);
+            if (transform != k_none) write_map(block_, scene_.transforms[transform]);
+            write_comments(material_comments);
+            comments_.end_block(block_, ItemKind::shape, i);
+        }
+        const SolidSteps steps(tree);
+        write_parts(tree, steps, steps.root());
+        block_.close();
+    }
+
+    void write_parts(const SolidTree& tree, const SolidSteps& steps, std::size_t step) {
+        if (steps.is_operand(step)) return write_operand(tree.operands[steps.operand(step)]);
+        for (const std::size_t part : steps.parts(step)) {
+            if (!steps.is_operand(part)) block_.open(solid_word(steps.operation(part)));
+            write_parts(tree, steps, part);
+            if (!steps.is_operand(part)) block_.close();
+        }
+    }
+
+    void write_operand(const Shape& s) {
+        block_.begin(word_of(s.kind), std::string_view());
+        write_parameters(s);
+        write_material(s, true);
+        if (s.transform != k_none) write_map(block_, scene_.transforms[s.transform]);
+        block_.end();
     }
 
     // The kinds that consist only of the fields in fields().
@@ -118,6 +177,8 @@ class ShapeWriter {
     void write_keys(const Polygon& p) {
         write_points("vertices", std::span(scene_.polygon_vertices).subspan(p.first, p.count));
     }
+
+    void write_keys(const Solid&) {}
 
     void write_keys(const Mesh& m) {
         if (m.mesh < mesh_files_.size() && !mesh_files_[m.mesh].empty()) {

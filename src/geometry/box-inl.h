@@ -18,6 +18,7 @@ namespace HWY_NAMESPACE {
 
 struct BoxGeometry : GeometryTraits {
     static constexpr int k_values = 6;  // min, max
+    static constexpr int k_crossings = 2;
 
     static void pack(const Box& c, double* p) {
         p[0] = c.min.x, p[1] = c.min.y, p[2] = c.min.z;
@@ -26,7 +27,21 @@ struct BoxGeometry : GeometryTraits {
     static bool is_open(const Box&) { return false; }
     static void bounds(const Box& c, Vec3& lo, Vec3& hi) { lo = c.min, hi = c.max; }
 
+    template <class T> static HWY_INLINE void crossings(const T* p, const Ray<T>& ray, Crossing<T>* to) {
+        const auto [enter, exit] = interval(p, ray);
+        *to = Crossing<T>(enter <= exit, enter, exit);
+    }
+
     template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
+        const auto [enter, exit] = interval(p, ray);
+        const T t = select(enter > t_min, enter, exit);
+        // A NaN or infinity in the ray leaves t at its bounds, or outside them: no hit.
+        return {(enter <= exit) && (t > t_min) && (t < T(1e300)), t};
+    }
+
+    /// Where the line is between the planes of all sides.
+    template <class T> struct Interval { T enter, exit; };
+    template <class T> static HWY_INLINE Interval<T> interval(const T* p, const Ray<T>& ray) {
         T enter = T(-1e300), exit = T(1e300);
         const auto slab = [&](T lo, T hi, T o, T d) HWY_ATTR {
             const auto parallel = d == T(0);
@@ -38,9 +53,7 @@ struct BoxGeometry : GeometryTraits {
         slab(p[0], p[3], ray.origin.x, ray.direction.x);
         slab(p[1], p[4], ray.origin.y, ray.direction.y);
         slab(p[2], p[5], ray.origin.z, ray.direction.z);
-        const T t = select(enter > t_min, enter, exit);
-        // A NaN or infinity in the ray leaves t at its bounds, or outside them: no hit.
-        return {(enter <= exit) && (t > t_min) && (t < T(1e300)), t};
+        return {enter, exit};
     }
 
     /// The normal of the face whose plane is nearest to the point.

@@ -18,6 +18,7 @@ namespace HWY_NAMESPACE {
 struct ConeGeometry : GeometryTraits {
     static constexpr int k_values =
         10;  // from, unit axis, height, radius at from, growth of the radius per unit, caps (0 or 1)
+    static constexpr int k_crossings = 2;
     static constexpr bool k_filtered = true;
 
     static void pack(const Cone& c, double* p) {

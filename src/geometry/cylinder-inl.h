@@ -17,6 +17,7 @@ namespace HWY_NAMESPACE {
 
 struct CylinderGeometry : GeometryTraits {
     static constexpr int k_values = 9;  // from, unit axis, height, radius, caps (0 or 1)
+    static constexpr int k_crossings = 2;
     static constexpr bool k_filtered = true;
 
     static void pack(const Cylinder& c, double* p) {
@@ -38,6 +39,27 @@ struct CylinderGeometry : GeometryTraits {
         }
         r.consider_caps(p[8], p[7], p[7]);
         return r.hit();
+    }
+
+    /// Of a cylinder with caps: the interval within the side, and that between the caps.
+    template <class T> static HWY_INLINE void crossings(const T* p, const Ray<T>& ray, Crossing<T>* to) {
+        const Vector3<T> axis = vector3(p + 3), q = ray.origin - vector3(p);
+        const T q_along = dot(q, axis), d_along = dot(ray.direction, axis), height = p[6], radius = p[7];
+        const Vector3<T> q_across = q - axis * q_along, d_across = ray.direction - axis * d_along;
+        const auto roots = closest_approach(q_across, d_across, radius);
+        const T infinity(k_infinity);
+        const auto is_parallel = !(dot(d_across, d_across) > T(0));
+        const auto within = dot(q_across, q_across) <= radius * radius;
+        const T side_enter = select(is_parallel, -infinity, roots.b - roots.h),
+                side_exit = select(is_parallel, infinity, roots.b + roots.h);
+        const T bottom = -q_along / d_along, top = (height - q_along) / d_along;
+        const auto is_flat = d_along == T(0);
+        const auto between = q_along >= T(0) && q_along <= height;
+        const T enter = max(side_enter, select(is_flat, -infinity, min(bottom, top))),
+                exit = min(side_exit, select(is_flat, infinity, max(bottom, top)));
+        const auto meets_side = (is_parallel && within) || and_not(roots.real, is_parallel);
+        const auto valid = meets_side && (between || !is_flat) && enter <= exit;
+        *to = Crossing<T>(valid, enter, exit);
     }
 
     template <class F> struct Filter : AxialFilter<F> {

@@ -20,6 +20,7 @@ struct MeshGeometry : GeometryTraits {
     static constexpr int k_mesh = 12, k_magnitude = 13;
     static constexpr bool k_bakes_transform = true;
     static constexpr bool k_is_instance = true;
+    static constexpr bool k_has_formula = false;
 };
 
 }  // namespace HWY_NAMESPACE

@@ -18,6 +18,7 @@ namespace HWY_NAMESPACE {
 
 struct PlaneGeometry : GeometryTraits {
     static constexpr int k_values = 6;  // point nearest to the origin, unit normal
+    static constexpr int k_crossings = 2;
     static constexpr bool k_bounded = false;
     static constexpr bool k_bakes_transform = true;
 

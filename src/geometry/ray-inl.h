@@ -8,6 +8,7 @@
 #endif
 
 #include "math/frame.h"
+#include "math/number.h"
 #include "simd/vec3-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -36,6 +37,17 @@ struct ParallelFrame : Frame {
 template <class T> struct Hit {
     decltype(T() < T()) valid;
     T t;
+};
+
+/// The line enters the shape at t = enter and leaves it at exit; enter = infinity and exit = -infinity: it is
+/// not inside. A line that touches the surface has enter = exit.
+template <class T> struct Crossing {
+    T enter, exit;
+    HWY_INLINE Crossing() : enter(T(k_infinity)), exit(T(-k_infinity)) {}
+    /// From `from` to `to`, if `valid`.
+    template <class M>
+    HWY_INLINE Crossing(M valid, T from, T to)
+        : enter(select(valid, from, T(k_infinity))), exit(select(valid, to, T(-k_infinity))) {}
 };
 
 /// The roots b - h and b + h of |q + t d|^2 = r^2, relative to the point of closest approach: q + b d is

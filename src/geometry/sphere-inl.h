@@ -17,6 +17,7 @@ namespace HWY_NAMESPACE {
 
 struct SphereGeometry : GeometryTraits {
     static constexpr int k_values = 4;  // center, radius
+    static constexpr int k_crossings = 2;
     static constexpr bool k_filtered = true;
     static constexpr bool k_cheap = true;
     static constexpr bool k_quick = true;
@@ -35,6 +36,11 @@ struct SphereGeometry : GeometryTraits {
         const T near = roots.b - roots.h, far = roots.b + roots.h;
         const T t = select(near > t_min, near, far);
         return {roots.real && (t > t_min), t};
+    }
+
+    template <class T> static HWY_INLINE void crossings(const T* p, const Ray<T>& ray, Crossing<T>* to) {
+        const auto roots = closest_approach(ray.origin - vector3(p), ray.direction, p[3]);
+        *to = Crossing<T>(roots.real, roots.b - roots.h, roots.b + roots.h);
     }
 
     /// What is known of a ray without its intersections, which need a division and a square root.

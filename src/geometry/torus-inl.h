@@ -19,6 +19,7 @@ namespace HWY_NAMESPACE {
 
 struct TorusGeometry : GeometryTraits {
     static constexpr int k_values = 8;  // center, unit axis, radius, radius of the tube
+    static constexpr int k_crossings = 4;
 
     static void pack(const Torus& torus, double* p) {
         const Vec3 axis = glint::normalize(torus.axis);
@@ -35,45 +36,81 @@ struct TorusGeometry : GeometryTraits {
     }
 
     /// The function that is 0 on the surface is, along the ray, of degree 4 and has at most three extrema.
-    /// Between two of them it is monotone; the signs at the extrema tell where the first root is, and only
-    /// that one is computed.
+    /// Between two of them it is monotone; the signs at the extrema tell where the roots are.
+    template <class T> struct Line {
+        Roots<T> ball;  // with some room around the torus: s runs from -1 to 1 in it, whatever the distance
+        TorusRay<T> ray;
+        T at[5], value[5];  // of the extrema, between the ends, which are outside
+
+        HWY_INLINE Line(const T* p, const Roots<T>& room, const Ray<T>& of)
+            : ball(room),
+              ray(vector3(p + 3), p[6], p[7], of.origin - vector3(p) + of.direction * ball.b,
+                  of.direction * ball.h),
+              at{T(-1), T(0), T(0), T(0), T(1)},
+              value{T(1), T(0), T(0), T(0), T(1)} {
+            ray.find_extrema(at);
+            for (int i = 1; i < 4; ++i) {
+                at[i] = min(max(at[i], T(-1)), T(1));
+                value[i] = ray.value(at[i]);
+            }
+        }
+        static HWY_INLINE Roots<T> room(const T* p, const Ray<T>& of) {
+            return closest_approach(of.origin - vector3(p), of.direction, (p[6] + p[7]) * T(1 + 0x1p-16));
+        }
+        /// Whether there is a root between extrema i and i + 1.
+        HWY_INLINE auto crosses(int i) const { return ball.real && ray.opposite(value[i], value[i + 1]); }
+        /// The t of the root between s = from and to; inner: the value within the tube.
+        HWY_INLINE T root(T from, T to, T inner) const { return ball.b + ball.h * ray.root(from, to, inner); }
+    };
+
+    /// Only the first root is computed.
     // Not inline: the kernels call it from a dozen places, and a torus takes much longer than the call.
     template <class T> static HWY_NOINLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
-        const T radius = p[6], tube = p[7];
-        // A ball with some room around the torus: s runs from -1 to 1 within it, whatever the distance.
-        const Vector3<T> q = ray.origin - vector3(p);
-        const Roots<T> ball = closest_approach(q, ray.direction, (radius + tube) * T(1 + 0x1p-16));
+        const Roots<T> ball = Line<T>::room(p, ray);
         if (!any(ball.real)) return {ball.real, ball.b};
-        const TorusRay<T> r(vector3(p + 3), radius, tube, q + ray.direction * ball.b, ray.direction * ball.h);
-
-        // The ends are outside.
-        T at[5] = {T(-1), T(0), T(0), T(0), T(1)}, value[5] = {T(1), T(0), T(0), T(0), T(1)};
-        r.find_extrema(at);
-        for (int i = 1; i < 4; ++i) {
-            at[i] = min(max(at[i], T(-1)), T(1));
-            value[i] = r.value(at[i]);
-        }
+        const Line<T> line(p, ball, ray);
         const T start = (t_min - ball.b) / ball.h;
-        T t = ball.b, next = r.first_bracket(at, value, start);
+        T t = ball.b, next = line.ray.first_bracket(line.at, line.value, start);
         auto valid = t < t;
         // Of a ray that starts at the surface, the first root may be its start. A root's bits do not depend
         // on t_min, so that a ray that goes on from a root does not find that again.
         for (int attempt = 0; attempt < 4; ++attempt) {
             T from = T(1), to = T(1), inner = T(0), place = T(4);
             for (int i = 3; i >= 0; --i) {
-                const auto crosses = ball.real && T(i) >= next && r.opposite(value[i], value[i + 1]);
-                from = select(crosses, at[i], from);
-                to = select(crosses, at[i + 1], to);
-                inner = select(crosses, min(value[i], value[i + 1]), inner);
+                const auto crosses = line.crosses(i) && T(i) >= next;
+                from = select(crosses, line.at[i], from);
+                to = select(crosses, line.at[i + 1], to);
+                inner = select(crosses, min(line.value[i], line.value[i + 1]), inner);
                 place = select(crosses, T(i), place);
             }
             const auto found = and_not(place < T(4), valid);
             if (!any(found)) break;
-            t = select(found, ball.b + ball.h * r.root(from, to, inner), t);
+            t = select(found, line.root(from, to, inner), t);
             valid = valid || (found && t > t_min && t < T(1e300));
             next = place + T(1);
         }
         return {valid, t};
+    }
+
+    /// The signs alternate from outside to outside: a line has as many entries as exits, two at most.
+    template <class T> static HWY_NOINLINE void crossings(const T* p, const Ray<T>& ray, Crossing<T>* to) {
+        to[0] = to[1] = {};
+        const Roots<T> ball = Line<T>::room(p, ray);
+        if (!any(ball.real)) return;
+        const Line<T> line(p, ball, ray);
+        auto entered = ball.b < ball.b, left = entered;
+        for (int i = 0; i < 4; ++i) {
+            const auto crosses = line.crosses(i);
+            if (!any(crosses)) continue;
+            const T t = line.root(line.at[i], line.at[i + 1], min(line.value[i], line.value[i + 1]));
+            const auto enters = crosses && line.value[i] > T(0), leaves = and_not(crosses, enters);
+            to[1].enter = select(enters && entered, t, to[1].enter);
+            to[0].enter = select(and_not(enters, entered), t, to[0].enter);
+            to[1].exit = select(leaves && left, t, to[1].exit);
+            to[0].exit = select(and_not(leaves, left), t, to[0].exit);
+            entered = entered || enters;
+            left = left || leaves;
+        }
     }
 
     /// The normal points away from the tube's center circle. Of a torus that intersects itself, the part of

@@ -25,6 +25,12 @@ struct GeometryTraits {
     /// It consists of the shapes of another PackedGeometry, which rays that are mapped into its coordinates
     /// traverse. It has no formula of its own.
     static constexpr bool k_is_instance = false;
+    /// It consists of shapes that are not hit by themselves (Scene::solids). It has no formula of its own.
+    static constexpr bool k_is_solid = false;
+    static constexpr bool k_has_formula = true;
+    /// The greatest number of crossings of a line with its surface, if it encloses a space; see
+    /// geometry/crossings-inl.h. 0: it encloses none.
+    static constexpr int k_crossings = 0;
     /// It has tests that are cheaper than its formula: quick_test() and ParallelTest.
     static constexpr bool k_quick = false;
 };

@@ -38,10 +38,17 @@ struct AffineMap {
 template <class Geometry> struct Transformed : GeometryTraits {
     static constexpr int k_values = Geometry::k_values + 12;
     static constexpr bool k_bounded = Geometry::k_bounded;
+    static constexpr int k_crossings = Geometry::k_crossings;
 
     template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         return Geometry::hit(p, AffineMap::to_object(p + Geometry::k_values, ray), t_min);
     }
+
+    template <class T>
+    static HWY_INLINE void crossings(const T* p, const Ray<T>& ray, Crossing<T>* to) requires requires {
+        Geometry::crossings(p, ray, to);
+    }
+    { Geometry::crossings(p, AffineMap::to_object(p + Geometry::k_values, ray), to); }
 
     template <class T> static HWY_INLINE Vector3<T> normal(const T* p, Vector3<T> point) {
         const T* m = p + Geometry::k_values;

@@ -365,6 +365,9 @@ class Validator {
         if (!indexed(s.material, materials)) shape_error(i, "no such material");
         if (!indexed(s.transform, scene_.transforms.size())) shape_error(i, "no such transform");
         for (const std::string& mistake : shapes_.mistakes(s)) shape_error(i, mistake);
+        for (const Shape& operand : operands_of(scene_, s)) {
+            if (!indexed(operand.material, materials)) shape_error(i, "an operand: no such material");
+        }
         if (s.kind == ShapeKind::mesh && s.transform < scene_.transforms.size()) check_mesh_map(i);
         if (i >= scene_.shape_colors.size()) return;
         check_shape_color(scene_.shape_colors[i], scene_.shape_texts.place(i), [&] {

@@ -8,6 +8,7 @@
 
 #include "scene/ranges.h"
 #include "scene/validate_mesh.h"
+#include "scene/validate_solid.h"
 
 namespace glint {
 namespace {
@@ -119,6 +120,28 @@ class ParameterCheck {
         } else {
             say(std::move(mistake));
         }
+    }
+
+    void check_parameters(const Solid& shape) {
+        if (shape.solid >= scene_.solids.size()) return say("no such solid");
+        const SolidTree& tree = scene_.solids[shape.solid];
+        if (std::string mistake = mistake_in_steps(tree); !mistake.empty()) return say(std::move(mistake));
+        for (std::size_t i = 0; i < tree.operands.size(); ++i) check_operand(i, tree.operands[i]);
+    }
+    void check_operand(std::size_t number, const Shape& operand) {
+        std::vector<std::string> mistakes;
+        if (!encloses_space(scene_, operand)) {
+            mistakes.push_back(
+                fmt::format("expected a shape that encloses a space (a sphere, box, torus or plane, or a "
+                            "cylinder or cone "
+                            "with caps), found a {}",
+                            to_string(operand.kind)));
+        } else {
+            ParameterCheck(scene_, mistakes, valid_meshes_).check(operand);
+        }
+        if (operand.transform != k_none && operand.transform >= scene_.transforms.size())
+            mistakes.emplace_back("no such transform");
+        for (const std::string& mistake : mistakes) say(fmt::format("operand {}: {}", number + 1, mistake));
     }
 
     void check_vertices(std::span<const Vec3> vertices) {

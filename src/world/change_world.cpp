@@ -234,10 +234,11 @@ Status assign_material(World& world, std::span<const std::uint32_t> shapes, std:
         const PackedGeometry& geometry = *parts.geometry;
         if (const auto& index = geometry.edit_index) {
             for (const std::uint32_t shape : shapes)
-                for (const std::uint32_t slot : index->slots_of(shape)) rows[slot] = row;
+                for (const std::uint32_t slot : index->slots_of(shape))
+                    if (!geometry.has_own_material(slot)) rows[slot] = row;
         } else {
             for (std::uint32_t slot = 0; slot < geometry.count; ++slot)
-                if (wanted[geometry.shape_index[slot]]) rows[slot] = row;
+                if (wanted[geometry.shape_index[slot]] && !geometry.has_own_material(slot)) rows[slot] = row;
         }
         set_interiors(parts);
         return {};

@@ -46,6 +46,8 @@ class ShapeEditor {
             find_mistakes(scene_, changed_, now.scene_materials(), options_.threads);
         if (!mistakes.empty()) return refuse(std::move(mistakes));
         if (changed_.empty()) return {};
+        // The operands of a solid are packed together.
+        if (!scene_.get<Solid>().empty() || !now.geometry->solids.empty()) return rebuild(edit);
         triangulate_polygons();
         if (!scene_.meshes.empty()) {
             meshes_ = now.geometry->meshes;
@@ -223,12 +225,12 @@ class ShapeEditor {
             find_slot_materials(scene_, built, now.scene_materials(), options_.threads);
         if (built.scene_shapes != now.geometry->scene_shapes) return rows;
         std::vector<std::uint32_t> by_shape(built.scene_shapes, k_none);
-        for (std::uint32_t slot = 0; slot < now.geometry->count; ++slot)
+        for (std::uint32_t slot = 0; slot < now.geometry->first_operand(); ++slot)
             by_shape[now.geometry->shape_index[slot]] = (*now.slot_material)[slot];
         for (const std::uint32_t shape : changed_) by_shape[shape] = k_none;
         for (std::uint32_t slot = 0; slot < built.count; ++slot) {
             const std::uint32_t kept = by_shape[built.shape_index[slot]];
-            if (kept != k_none) rows[slot] = kept;
+            if (kept != k_none && !built.has_own_material(slot)) rows[slot] = kept;
         }
         return rows;
     }

@@ -69,6 +69,11 @@ WorldMemory memory_usage(const World& world) {
     if (geometry.edit_index) m.indices += geometry.edit_index->bytes();
     m.packed = geometry.count;
     m.hierarchy = bytes(geometry.bvh.nodes);
+    m.shapes += bytes(geometry.solids) + bytes(geometry.operands);
+    for (const PackedSolid& solid : geometry.solids) {
+        m.shapes += bytes(solid.items) + bytes(solid.slots);
+        for (int a = 0; a < 3; ++a) m.boxes += bytes(solid.lo[a]) + bytes(solid.hi[a]);
+    }
     for (const auto& mesh : geometry.meshes) {
         if (mesh == nullptr) continue;
         for (const ShapeClass& c : mesh->geometry.classes) m.shapes += bytes(c.corners);

@@ -263,11 +263,47 @@ class RandomScene {
                 s.add(Polygon{first, count}, material, transform);
                 break;
             }
+            case ShapeKind::solid:
+                make_solid(s, material, transform);
+                break;
             case ShapeKind::mesh:
                 if (s.meshes.empty() || pick(2) == 0) make_mesh(s);
                 s.add(Mesh{static_cast<std::uint32_t>(pick(s.meshes.size()))}, material, transform);
                 break;
         }
+    }
+    // Of operands of all kinds, and of solids.
+    void make_solid(Scene& s, std::uint32_t material, std::uint32_t transform, int depth = 0) {
+        const auto first = static_cast<std::uint32_t>(s.shapes.size());
+        const std::size_t count = 1 + pick(3);
+        const auto some = [&](std::size_t n) {
+            return n == 0 || pick(2) == 0 ? k_none : static_cast<std::uint32_t>(pick(n));
+        };
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::uint32_t own = some(s.materials.size()), map = some(s.transforms.size());
+            switch (pick(depth < 3 ? 6 : 5)) {
+                case 0:
+                    s.add(Sphere{point(), length()}, own, map);
+                    break;
+                case 1:
+                    s.add(Plane{point(), direction()}, own, map);
+                    break;
+                case 2:
+                    s.add(Cylinder{{0, 0, 0}, {1, 0, coordinate()}, length(), true}, own, map);
+                    break;
+                case 3:
+                    s.add(Torus{point(), direction(), length(), length()}, own, map);
+                    break;
+                case 4:
+                    s.add(Box{{-1, -1, -1}, {0, 2, 1}}, own, map);
+                    break;
+                default:
+                    make_solid(s, own, map, depth + 1);
+            }
+        }
+        const auto operation = static_cast<SolidOperation>(1 + pick(count == 1 ? 6 : 4));
+        combine_last(s, operation == SolidOperation::inverse && count > 1 ? SolidOperation::merge : operation,
+                     first, material, transform);
     }
     void make_mesh(Scene& s) {
         const auto single = [](Vec3 v) {

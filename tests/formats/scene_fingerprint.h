@@ -46,6 +46,16 @@ class SceneFingerprint {
     void add(const Box& c) { add(c.min), add(c.max); }
     void add(const Triangle& t) { add(std::span(t.vertices)); }
     void add(const SmoothTriangle& t) { add(std::span(t.vertices)), add(std::span(t.normals)); }
+    void add(const Solid& solid) {
+        const SolidTree& tree = s_.solids[solid.solid];
+        for (const Shape& operand : tree.operands) {
+            add_parameters(operand);
+            if (operand.material != k_none) add(s_.materials[operand.material]);
+            if (operand.transform != k_none) add(s_.transforms[operand.transform]);
+        }
+        for (const SolidStep& step : tree.steps)
+            add(static_cast<double>(step.operation)), add(static_cast<double>(step.count));
+    }
     void add(const Mesh& m) {
         const MeshData& mesh = *s_.meshes[m.mesh];
         for (std::uint32_t v = 0; v < mesh.vertex_count(); ++v) add(mesh.position(v));
@@ -146,10 +156,7 @@ class SceneFingerprint {
         add(l.inner_angle), add(l.outer_angle), add(l.tightness);
     }
 
-    void add_shape(std::uint32_t i) {
-        const Shape& shape = s_.shapes[i];
-        line(to_string(shape.kind));
-        out_ += s_.shape_texts.name(i);
+    void add_parameters(const Shape& shape) {
         switch (shape.kind) {
 #define GLINT_KIND(Type, word)            \
     case ShapeKind::word:                 \
@@ -158,6 +165,13 @@ class SceneFingerprint {
             GLINT_SHAPES(GLINT_KIND)
 #undef GLINT_KIND
         }
+    }
+
+    void add_shape(std::uint32_t i) {
+        const Shape& shape = s_.shapes[i];
+        line(to_string(shape.kind));
+        out_ += s_.shape_texts.name(i);
+        add_parameters(shape);
         add(shape.material == k_none ? Material{} : s_.materials[shape.material]);
         if (const auto color = s_.shape_color(i)) line("own color"), add(*color);
         if (shape.transform != k_none) add(s_.transforms[shape.transform]);

@@ -54,7 +54,7 @@ struct FormulaHit {
     template <class Geometry> void visit() {
         double p[Geometry::k_values];
         for (int k = 0; k < Geometry::k_values; ++k) p[k] = shapes.column(k)[item];
-        if constexpr (!Geometry::k_is_instance) hit = Geometry::hit(p, ray, t_min);
+        if constexpr (Geometry::k_has_formula) hit = Geometry::hit(p, ray, t_min);
     }
 };
 

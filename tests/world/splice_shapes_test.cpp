@@ -74,7 +74,8 @@ Indices insert(Scene& scene, Random& random, std::size_t count) {
         };
         switch (shape.kind) {
             case ShapeKind::polygon:
-            case ShapeKind::mesh:  // they are built again: see below
+            case ShapeKind::mesh:
+            case ShapeKind::solid:  // they are built again: see below
                 copy.kind = ShapeKind::sphere;
                 add(Sphere{point_in_cube(random, 10), 0.7});
                 break;

@@ -170,6 +170,7 @@ ShapeMeshes::Unit ShapeMeshes::unit_of(const Shape& shape) {
         case ShapeKind::triangle:
         case ShapeKind::smooth_triangle:
         case ShapeKind::polygon:
+        case ShapeKind::solid:
             break;
     }
     return {};

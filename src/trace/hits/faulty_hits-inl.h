@@ -17,8 +17,8 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Scenes of more shapes are rendered without the fault, and so are meshes: it takes the product of shapes
-/// and rays.
+/// Scenes of more shapes are rendered without the fault, and so are meshes and solids: it takes the product
+/// of shapes and rays.
 inline constexpr std::uint32_t k_max_faulty_shapes = 256;
 
 /// Tests one shape with the rays of a stream, and replaces the hits that the fault prefers.
@@ -39,7 +39,7 @@ struct FaultyTest {
         return (mine > theirs) == (world.fault == TracerFault::last_shape);
     }
     template <class Geometry> HWY_INLINE void visit() {
-        if constexpr (!Geometry::k_is_instance) test<Geometry>();
+        if constexpr (Geometry::k_has_formula) test<Geometry>();
     }
     template <class Geometry> HWY_INLINE void test() {
         Doubles p[Geometry::k_values];
@@ -66,7 +66,7 @@ struct FaultyTest {
 inline void put_faulty_hits(const WorldParts& world, const RayBatch& rays, HitBatch& hits) {
     const PackedGeometry& geometry = *world.geometry;
     if (geometry.count > k_max_faulty_shapes) return;
-    for (std::uint32_t slot = 0; slot < geometry.count; ++slot) {
+    for (std::uint32_t slot = 0; slot < geometry.first_operand(); ++slot) {
         const ShapeClass& shapes = geometry.class_of(slot);
         visit_geometry(shapes.kind, shapes.transformed, FaultyTest{world, rays, hits, shapes, slot});
     }

@@ -48,8 +48,8 @@ struct ShapeTests {
     /// Tests a leaf: slots [first, first + count), of one class.
     HWY_INLINE void visit(RayPacket& packet, std::uint64_t active, std::uint32_t first, std::uint32_t count) {
         with_bounded(first, [&]<class Geometry>(Kind<Geometry>, const ShapeClass& shapes) HWY_ATTR {
-            if constexpr (Geometry::k_is_instance)
-                instances_leaf(shapes, packet, active, first, count);
+            if constexpr (!Geometry::k_has_formula)
+                parts_leaf<Geometry>(shapes, packet, active, first, count);
             else
                 packet_leaf<Geometry>(shapes, packet, active, first, count);
         });
@@ -59,16 +59,16 @@ struct ShapeTests {
     HWY_INLINE void visit_rays(const RayPacket& packet, std::uint64_t active, std::uint32_t first,
                                std::uint32_t count) {
         with_bounded(first, [&]<class Geometry>(Kind<Geometry>, const ShapeClass& shapes) HWY_ATTR {
-            if constexpr (Geometry::k_is_instance)
-                instances_leaf(shapes, packet, active, first, count);
+            if constexpr (!Geometry::k_has_formula)
+                parts_leaf<Geometry>(shapes, packet, active, first, count);
             else
                 rays_leaf<Geometry>(shapes, first, count, packet.first, active);
         });
     }
     HWY_INLINE void visit(int ray, std::uint32_t first, std::uint32_t count) {
         with_bounded(first, [&]<class Geometry>(Kind<Geometry>, const ShapeClass& shapes) HWY_ATTR {
-            if constexpr (Geometry::k_is_instance)
-                instances_leaf(shapes, RayPacket(slab_rays, ray, 1), 1, first, count);
+            if constexpr (!Geometry::k_has_formula)
+                parts_leaf<Geometry>(shapes, RayPacket(slab_rays, ray, 1), 1, first, count);
             else
                 ray_leaf<Geometry>(shapes, first, count, ray);
         });
@@ -76,8 +76,8 @@ struct ShapeTests {
     /// Tests one shape with the packet.
     HWY_INLINE void visit_shape(const RayPacket& packet, std::uint32_t slot) {
         with_bounded(slot, [&]<class Geometry>(Kind<Geometry>, const ShapeClass& shapes) HWY_ATTR {
-            if constexpr (Geometry::k_is_instance)
-                instances_leaf(shapes, packet, packet.unfinished(), slot, 1);
+            if constexpr (!Geometry::k_has_formula)
+                parts_leaf<Geometry>(shapes, packet, packet.unfinished(), slot, 1);
             else
                 single_shape<Geometry>(shapes, packet, slot);
         });
@@ -167,9 +167,21 @@ struct ShapeTests {
         }
     }
 
-    /// Tests shapes that have a mesh with the packet's rays `active` (trace/hits/instances-inl.h).
+    /// Tests shapes that consist of others with the packet's rays `active`.
+    template <class Geometry>
+    HWY_INLINE void parts_leaf(const ShapeClass& shapes, const RayPacket& packet, std::uint64_t active,
+                               std::uint32_t first, std::uint32_t count) {
+        if constexpr (Geometry::k_is_solid)
+            solids_leaf(shapes, packet, active, first, count);
+        else
+            instances_leaf(shapes, packet, active, first, count);
+    }
+    /// See trace/hits/instances-inl.h.
     HWY_NOINLINE void instances_leaf(const ShapeClass& shapes, const RayPacket& packet, std::uint64_t active,
                                      std::uint32_t first, std::uint32_t count);
+    /// See trace/hits/solids-inl.h.
+    HWY_NOINLINE void solids_leaf(const ShapeClass& shapes, const RayPacket& packet, std::uint64_t active,
+                                  std::uint32_t first, std::uint32_t count);
 
     template <class Geometry>
     HWY_NOINLINE void packet_leaf(const ShapeClass& shapes, const RayPacket& packet, std::uint64_t active,

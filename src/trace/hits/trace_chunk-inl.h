@@ -75,7 +75,8 @@ HWY_NOINLINE void trace_chunk(const WorldParts& world, const PackedGeometry& geo
     QuickRays quick_rays(rays, count, parallel);
     ShapeTests tests{geometry, rays, slab_rays, result, sheared_rays, quick_rays, instance};
     for (const ShapeClass& shapes : geometry.classes) {
-        if (shapes.first >= geometry.bounded) tests.visit_unbounded(shapes, count);
+        if (shapes.first >= geometry.bounded && shapes.first < geometry.first_operand())
+            tests.visit_unbounded(shapes, count);
     }
     if (geometry.bvh.nodes.empty()) return;
     if constexpr (any)

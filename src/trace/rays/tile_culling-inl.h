@@ -78,7 +78,7 @@ HWY_INLINE LaneMask<float> may_overlap(const TileFrustum& frustum, const float* 
 inline bool is_tile_empty(const WorldParts& world, const TileJob& job) {
     constexpr int max_nodes = 64, max_stack = max_nodes * (k_bvh_width - 1) + 1;
     const PackedGeometry& geometry = *world.geometry;
-    if (world.camera.projection == Projection::orthographic || geometry.bounded != geometry.count ||
+    if (world.camera.projection == Projection::orthographic || geometry.bounded != geometry.first_operand() ||
         world.fault == TracerFault::behind_start)
         return false;
     if (geometry.bvh.nodes.empty()) return true;

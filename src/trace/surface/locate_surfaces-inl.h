@@ -31,7 +31,7 @@ struct NormalsAt {
     template <class Geometry> HWY_INLINE void visit() {
         if constexpr (Geometry::k_is_instance)
             of_meshes();
-        else
+        else if constexpr (Geometry::k_has_formula)
             compute<Geometry>();
     }
     template <class Geometry> HWY_INLINE void compute() {
@@ -87,14 +87,25 @@ HWY_INLINE NormalLanes normals_at(const PackedGeometry& geometry, const std::uin
         if (wants_faces) normals.face = select_vector3(mask, at.face, normals.face);
         left &= ~here;
     }
+    if (!geometry.operands.empty()) {
+        std::uint32_t inverted = 0;
+        for (int k = 0; k < lane_count<double>(); ++k)
+            inverted |= static_cast<std::uint32_t>(geometry.is_inverted(slots[k])) << k;
+        const auto turned = from_bits<double>(inverted);
+        normals.shading = select_vector3(turned, -normals.shading, normals.shading);
+        normals.face = select_vector3(turned, -normals.face, normals.face);
+    }
     if (!wants_faces) normals.face = normals.shading;
     return normals;
 }
 
-/// The largest coordinate of a bounded shape, 0 for unbounded ones. The rounding error of the shape's formula
-/// is relative to it too, even if the ray is near the world's origin.
+/// The largest coordinate of a bounded shape or operand, 0 for unbounded ones. The rounding error of the
+/// shape's formula is relative to it too, even if the ray is near the world's origin.
 HWY_INLINE double max_coordinate(const PackedGeometry& geometry, std::uint32_t slot) {
-    if (slot >= geometry.bounded) return 0;
+    if (slot >= geometry.bounded) {
+        const PackedOperand* const operand = geometry.operand_of(slot);
+        return operand != nullptr ? operand->reach : 0;
+    }
     const Aabb box = primitive_bounds(geometry, slot);
     float reach = 0;
     for (int a = 0; a < 3; ++a) reach = max(reach, max(-box.lo[a], box.hi[a]));

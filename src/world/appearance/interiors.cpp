@@ -25,7 +25,7 @@ class Contains {
         : shapes_(shapes), slot_(slot), point_(point) {}
     bool result() const { return result_; }
     template <class Geometry> void visit() {
-        if constexpr (!Geometry::k_is_instance) test<Geometry>();  // a mesh may be open: nothing is inside
+        if constexpr (Geometry::k_has_formula) test<Geometry>();  // a mesh may be open: nothing is inside
     }
 
   private:
@@ -84,6 +84,7 @@ void find_camera_interiors(const WorldParts& parts, FogInteriors& found) {
     const PackedGeometry& geometry = *parts.geometry;
     const CameraOrigins origins(parts.camera);
     for (const ShapeClass& shapes : geometry.classes) {
+        if (shapes.first >= geometry.first_operand()) break;
         const bool is_space = shapes.kind == ShapeKind::plane, is_convex = shapes.kind != ShapeKind::torus;
         for (std::uint32_t item = 0; item < shapes.count; ++item) {
             const std::uint32_t slot = shapes.first + item;

@@ -9,6 +9,7 @@
 #include "bvh/rays.h"
 #include "world/geometry/edit_index.h"
 #include "world/geometry/pack_mesh.h"
+#include "world/geometry/pack_solid.h"
 
 namespace glint {
 namespace {
@@ -49,6 +50,7 @@ class Packer {
         std::vector<BvhItem>().swap(leaves_);
         std::vector<std::uint32_t>().swap(slot_);
         allocate_values();
+        pack_solids();
         for_all(geometry_.count, [&](std::size_t slot) { write(static_cast<std::uint32_t>(slot)); });
         geometry_.shared_index = std::make_shared<SharedEditIndex>();
         return std::move(geometry_);
@@ -58,6 +60,10 @@ class Packer {
     Primitive at(std::uint32_t i) const { return primitives_[i]; }
     std::size_t class_of(std::uint32_t i) const {
         return static_cast<std::size_t>(primitives_.class_of(at(i)));
+    }
+    // Operands are in classes of their own, which follow all others.
+    std::size_t layout_class_of(std::uint32_t i) const {
+        return class_of(i) + (at(i).is_operand() ? k_primitive_classes : 0);
     }
 
     template <class Body> void for_all(std::size_t count, const Body& body) const {
@@ -74,17 +80,21 @@ class Packer {
         const auto count = static_cast<std::uint32_t>(primitives_.size());
         std::uint32_t bounded = 0;
         for (std::uint32_t i = 0; i < count; ++i) {
-            if (traits[class_of(i)].bounded) {
+            if (at(i).is_operand()) {
+                operands_.push_back(i);
+            } else if (traits[class_of(i)].bounded) {
                 ++bounded;
             } else {
                 unbounded_.push_back(i);
             }
         }
         resize_in_huge_pages(leaves_, bounded, options_.threads);
-        std::uint32_t next = 0, skipped = 0;
+        std::uint32_t next = 0, skipped = 0, skipped_operands = 0;
         for (std::uint32_t i = 0; i < count; ++i) {
             if (skipped < unbounded_.size() && unbounded_[skipped] == i) {
                 ++skipped;
+            } else if (skipped_operands < operands_.size() && operands_[skipped_operands] == i) {
+                ++skipped_operands;
             } else {
                 leaves_[next++].item = i;
             }
@@ -99,25 +109,28 @@ class Packer {
 
     // Bounded classes first: those that store their boxes, then the others. Empty classes are omitted.
     void lay_out_classes() {
-        std::array<std::uint32_t, k_primitive_classes> count{};
-        for (std::uint32_t i = 0; i < primitives_.size(); ++i) ++count[class_of(i)];
+        std::array<std::uint32_t, 2 * k_primitive_classes> count{};
+        for (std::uint32_t i = 0; i < primitives_.size(); ++i) ++count[layout_class_of(i)];
+        const auto lay_out = [&](std::size_t c, std::size_t layout_class) {
+            if (count[layout_class] == 0) return;
+            ShapeClass packed;
+            packed.kind = static_cast<ShapeKind>(c / 2);
+            packed.transformed = c % 2 == 1;
+            packed.first = geometry_.count;
+            packed.count = count[layout_class];
+            packed.stride = count[layout_class] + k_ray_padding;
+            next_slot_[layout_class] = geometry_.count;
+            geometry_.classes.push_back(std::move(packed));
+            geometry_.count += count[layout_class];
+        };
         for (int rank = 0; rank < 3; ++rank) {
-            for (std::size_t c = 0; c < count.size(); ++c) {
-                const ClassTraits& traits = class_traits()[c];
-                if (layout_rank(traits) != rank || count[c] == 0) continue;
-                ShapeClass packed;
-                packed.kind = static_cast<ShapeKind>(c / 2);
-                packed.transformed = c % 2 == 1;
-                packed.first = geometry_.count;
-                packed.count = count[c];
-                packed.stride = count[c] + k_ray_padding;
-                next_slot_[c] = geometry_.count;
-                geometry_.classes.push_back(std::move(packed));
-                geometry_.count += count[c];
+            for (std::size_t c = 0; c < k_primitive_classes; ++c) {
+                if (layout_rank(class_traits()[c]) == rank) lay_out(c, c);
             }
             if (rank == 0) geometry_.boxed = geometry_.count;
             if (rank == 1) geometry_.bounded = geometry_.count;
         }
+        for (std::size_t c = 0; c < k_primitive_classes; ++c) lay_out(c, c + k_primitive_classes);
     }
 
     // Within a class: bounded items in leaf order, the others in scene order.
@@ -127,6 +140,10 @@ class Packer {
         for (std::size_t i = 0; i < leaves_.size(); ++i) slot_[i] = next_slot_[leaves_[i].item_class]++;
         std::stable_sort(unbounded_.begin(), unbounded_.end(),
                          [&](std::uint32_t a, std::uint32_t b) { return class_of(a) < class_of(b); });
+        std::uint32_t slot = geometry_.count - static_cast<std::uint32_t>(operands_.size());
+        std::stable_sort(operands_.begin(), operands_.end(),
+                         [&](std::uint32_t a, std::uint32_t b) { return class_of(a) < class_of(b); });
+        for (const std::uint32_t i : operands_) primitive_[slot++] = i;
         const std::size_t padded = geometry_.count + k_ray_padding;
         for (int a = 0; a < 3; ++a) {
             resize_in_huge_pages(geometry_.box_lo[a], geometry_.boxed + k_ray_padding, options_.threads);
@@ -142,6 +159,18 @@ class Packer {
         if (slot < geometry_.boxed)
             write_box({{leaf.lo[0], leaf.lo[1], leaf.lo[2]}, {leaf.hi[0], leaf.hi[1], leaf.hi[2]}}, slot,
                       geometry_);
+    }
+
+    // Of the operands, which have slots.
+    void pack_solids() {
+        if (operands_.empty()) return;
+        const std::uint32_t first = geometry_.count - static_cast<std::uint32_t>(operands_.size());
+        std::vector<std::uint32_t> slots(operands_.size());  // by operand
+        geometry_.operands.resize(operands_.size());
+        for (std::uint32_t slot = first; slot < geometry_.count; ++slot)
+            slots[at(primitive_[slot]).operand] = slot;
+        for (const PrimitiveSolid& solid : primitives_.solids())
+            geometry_.solids.push_back(pack_solid(primitives_, solid, slots, first, geometry_.operands));
     }
 
     void allocate_values() {
@@ -173,7 +202,8 @@ class Packer {
     std::vector<std::uint32_t> slot_;  // by position in leaf order
     std::vector<std::uint32_t> primitive_;  // by slot
     std::vector<std::uint32_t> unbounded_;  // the unbounded primitives, by class
-    std::array<std::uint32_t, k_primitive_classes> next_slot_{};
+    std::vector<std::uint32_t> operands_;   // those of solids, by class
+    std::array<std::uint32_t, 2 * k_primitive_classes> next_slot_{};
 };
 
 }  // namespace
@@ -211,7 +241,13 @@ std::vector<std::uint32_t> find_slot_materials(const Scene& scene, const PackedG
     std::vector<std::uint32_t> rows;
     resize_in_huge_pages(rows, geometry.count + k_ray_padding, threads);
     parallel_chunks(geometry.count, threads, [&](std::size_t slot) {
-        const std::uint32_t material = scene.shapes[geometry.shape_index[slot]].material;
+        const Shape& shape = scene.shapes[geometry.shape_index[slot]];
+        const PackedOperand* const operand = geometry.operand_of(static_cast<std::uint32_t>(slot));
+        const std::uint32_t material = operand != nullptr && operand->has_material
+                                           ? scene.solids[scene.get<Solid>()[shape.index].solid]
+                                                 .operands[geometry.element[slot]]
+                                                 .material
+                                           : shape.material;
         rows[slot] = material == k_none ? static_cast<std::uint32_t>(materials) : material;
     });
     return rows;

@@ -10,6 +10,7 @@
 #include "glint/mesh.h"
 #include "glint/shapes.h"
 #include "glint/vec.h"
+#include "world/geometry/packed_solid.h"
 #include "world/geometry/surface_id.h"
 
 namespace glint {
@@ -41,9 +42,9 @@ struct ShapeClass {
 };
 
 /// Slots are the positions of packed shapes; each triangle of a polygon or of a mesh by itself has a slot of
-/// its own. The bounded
-/// ones are in the hierarchy's leaf order within their class; the unbounded ones follow. All arrays by slot
-/// are padded by vector.
+/// its own, and so has each operand of a solid. The bounded ones are in the hierarchy's leaf order within
+/// their class; the unbounded ones follow, then the operands, which rays meet only through their solid. All
+/// arrays by slot are padded by vector.
 struct PackedGeometry {
     std::vector<ShapeClass> classes;          // bounded classes first
     std::uint32_t boxed = 0;                  // slots below this have a stored box
@@ -54,6 +55,8 @@ struct PackedGeometry {
     std::vector<std::uint32_t> shape_index;   // by slot: the index in Scene::shapes
     std::vector<std::uint32_t> element;       // by slot: SurfaceId::element; empty: 0
     PackedMeshes meshes;                      // the shapes of the kind `mesh` refer to them
+    std::vector<PackedSolid> solids;          // the shapes of the kind `solid` refer to them
+    std::vector<PackedOperand> operands;      // of the slots from first_operand() on
     std::vector<std::uint8_t> open;           // by slot: 1 if the shape encloses no space
     std::uint32_t scene_shapes = 0;           // the number of the scene's shapes
     bool has_mesh_colors = false;             // one of `meshes` has colors
@@ -67,14 +70,29 @@ struct PackedGeometry {
     double expected_built_cost() const;
     /// Sets `meshes`.
     void set_meshes(PackedMeshes packed);
+    std::uint32_t first_operand() const { return count - static_cast<std::uint32_t>(operands.size()); }
+    /// Null if the slot is not an operand's.
+    const PackedOperand* operand_of(std::uint32_t slot) const {
+        return slot < first_operand() ? nullptr : &operands[slot - first_operand()];
+    }
+    /// Whether the slot's normal is turned: of an operand that its solid is outside of.
+    bool is_inverted(std::uint32_t slot) const {
+        const PackedOperand* const operand = operand_of(slot);
+        return operand != nullptr && operand->is_inverted;
+    }
+    /// Whether the slot is an operand's that has a material of its own.
+    bool has_own_material(std::uint32_t slot) const {
+        const PackedOperand* const operand = operand_of(slot);
+        return operand != nullptr && operand->has_material;
+    }
     /// Whether a shape may have several elements.
     bool has_elements() const { return !element.empty(); }
     std::uint32_t element_of(std::uint32_t slot) const { return has_elements() ? element[slot] : 0; }
     SurfaceId surface_of(std::uint32_t slot) const { return {slot, element_of(slot)}; }
     /// The index in Scene::shapes of a surface's shape.
     std::uint32_t shape_of(SurfaceId id) const { return shape_index[id.slot]; }
-    /// Whether a surface is in the hierarchy.
-    bool is_bounded(SurfaceId id) const { return id.slot < bounded; }
+    /// Whether a surface is in the hierarchy, or its solid is.
+    bool is_bounded(SurfaceId id) const { return id.slot < bounded || id.slot >= first_operand(); }
     /// Whether a surface's shape encloses no space: `facing = open` applies to it.
     bool is_open(SurfaceId id) const { return open[id.slot] != 0; }
     /// Whether surface a comes before b where a ray hits both at one t: by the order of the shapes in the

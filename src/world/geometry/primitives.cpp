@@ -3,6 +3,7 @@
 
 #include <span>
 #include <type_traits>
+#include <vector>
 
 #include "geometry/kinds-inl.h"
 #include "math/extent.h"
@@ -50,6 +51,17 @@ Extent mapped_box(const Affine& map, Vec3 lo, Vec3 hi) {
     return extent;
 }
 
+// What is in both boxes; a point of the first if nothing is.
+Aabb common(const Aabb& a, const Aabb& b) {
+    Aabb box;
+    for (int k = 0; k < 3; ++k) {
+        box.lo[k] = number::max(a.lo[k], b.lo[k]);
+        box.hi[k] = number::min(a.hi[k], b.hi[k]);
+        if (!(box.lo[k] <= box.hi[k])) return {{a.lo[0], a.lo[1], a.lo[2]}, {a.lo[0], a.lo[1], a.lo[2]}};
+    }
+    return box;
+}
+
 AllClassTraits find_class_traits() {
     AllClassTraits all;
     for (int c = 0; c < k_primitive_classes; ++c) {
@@ -67,7 +79,9 @@ const AllClassTraits& class_traits() {
     return all;
 }
 
-bool has_elements(const Scene& scene) { return !scene.get<Polygon>().empty() || !scene.get<Mesh>().empty(); }
+bool has_elements(const Scene& scene) {
+    return !scene.get<Polygon>().empty() || !scene.get<Mesh>().empty() || !scene.get<Solid>().empty();
+}
 
 const PackedMesh& Primitives::mesh_of(const Shape& shape) const {
     return *meshes_[scene_.get<Mesh>()[shape.index].mesh];
@@ -75,8 +89,9 @@ const PackedMesh& Primitives::mesh_of(const Shape& shape) const {
 
 void Primitives::add(std::uint32_t index) {
     const Shape& shape = scene_.shapes[index];
+    if (shape.kind == ShapeKind::solid) return add_solid(index);
     if (shape.kind != ShapeKind::polygon) {
-        list_.push_back({index, k_none, 0});
+        list_.push_back({index});
         return;
     }
     const Polygon& polygon = scene_.get<Polygon>()[shape.index];
@@ -86,8 +101,33 @@ void Primitives::add(std::uint32_t index) {
         list_.push_back({index, triangle, triangle - first});
 }
 
+void Primitives::add_solid(std::uint32_t index) {
+    const Shape& shape = scene_.shapes[index];
+    const PrimitiveSolid solid{index, static_cast<std::uint32_t>(operands_.size())};
+    list_.push_back({.shape = index, .solid = static_cast<std::uint32_t>(solids_.size())});
+    solids_.push_back(solid);
+    std::uint32_t element = 0;
+    for (Shape operand : scene_.solids[scene_.get<Solid>()[shape.index].solid].operands) {
+        if (operand.transform == k_none) {
+            operand.transform = shape.transform;
+        } else if (shape.transform != k_none) {
+            composed_.push_back(
+                compose(scene_.transforms[shape.transform], scene_.transforms[operand.transform]));
+            operand.transform = static_cast<std::uint32_t>(scene_.transforms.size() + composed_.size() - 1);
+        }
+        list_.push_back(
+            {.shape = index, .element = element++, .operand = static_cast<std::uint32_t>(operands_.size())});
+        operands_.push_back(operand);
+    }
+}
+
+const SolidTree& Primitives::tree_of(const PrimitiveSolid& solid) const {
+    return scene_.solids[scene_.get<Solid>()[scene_.shapes[solid.shape].index].solid];
+}
+
 void Primitives::add_all(bool cones) {
-    one_per_shape_ = scene_.get<Polygon>().empty() && (cones || scene_.get<Cone>().empty());
+    one_per_shape_ =
+        scene_.get<Polygon>().empty() && scene_.get<Solid>().empty() && (cones || scene_.get<Cone>().empty());
     if (one_per_shape_) return;
     list_.reserve(scene_.shapes.size());
     for (std::uint32_t i = 0; i < scene_.shapes.size(); ++i) {
@@ -96,7 +136,7 @@ void Primitives::add_all(bool cones) {
 }
 
 int Primitives::class_of(const Primitive& primitive) const {
-    const Shape& s = scene_.shapes[primitive.shape];
+    const Shape& s = shape_of(primitive);
     ShapeKind kind = s.kind;
     if (kind == ShapeKind::polygon) kind = ShapeKind::triangle;
     const int plain = 2 * static_cast<int>(kind);
@@ -107,7 +147,7 @@ int Primitives::class_of(const Primitive& primitive) const {
 
 // The transform to pack with the primitive; none if it is applied to the parameters.
 std::uint32_t Primitives::map_of(const Primitive& primitive) const {
-    return class_of(primitive) % 2 == 1 ? scene_.shapes[primitive.shape].transform : k_none;
+    return class_of(primitive) % 2 == 1 ? shape_of(primitive).transform : k_none;
 }
 
 // Calls visit(parameters, geometry); the transform is applied to the parameters if the kind supports this.
@@ -116,7 +156,7 @@ void Primitives::visit_transformed(const Shape& shape, const Parameters& paramet
                                    Visit&& visit) const {
     if constexpr (Geometry::k_bakes_transform) {
         if (shape.transform != k_none) {
-            const Affine& map = scene_.transforms[shape.transform];
+            const Affine& map = this->map(shape.transform);
             // validate() has checked that the map is invertible.
             return visit(Geometry::apply_transform(parameters, map, inverse(map).value_or(Affine{})),
                          geometry);
@@ -127,13 +167,13 @@ void Primitives::visit_transformed(const Shape& shape, const Parameters& paramet
 
 // Calls visit(parameters, geometry) for the primitive's kind.
 template <class Visit> void Primitives::with_parameters(const Primitive& primitive, Visit&& visit) const {
-    const Shape& shape = scene_.shapes[primitive.shape];
+    const Shape& shape = shape_of(primitive);
     if (primitive.triangle != k_none)
         return visit_transformed(shape, triangles_[primitive.triangle], TriangleGeometry(), visit);
     switch (shape.kind) {
 #define GLINT_KIND(Type, word)                                                                  \
     case ShapeKind::word:                                                                       \
-        if constexpr (k_is_packed<Type##Geometry> && !Type##Geometry::k_is_instance) {          \
+        if constexpr (k_is_packed<Type##Geometry> && Type##Geometry::k_has_formula) {           \
             visit_transformed(shape, scene_.get<Type>()[shape.index], Type##Geometry(), visit); \
         }                                                                                       \
         break;
@@ -180,31 +220,63 @@ int Primitives::pack_mesh(const Shape& shape, double* values) const {
     return MeshGeometry::k_values;
 }
 
-Aabb Primitives::box_of(const Primitive& primitive) const {
-    if (const Shape& shape = scene_.shapes[primitive.shape]; shape.kind == ShapeKind::mesh) {
-        return box_of_mesh(shape);
+// What contains the solid: its steps, applied to the operands' boxes. Half-spaces have none, and neither has
+// the outside of a shape.
+Aabb Primitives::box_of_solid(const PrimitiveSolid& solid) const {
+    constexpr float k_far = 4e12f;  // beyond all coordinates
+    const Aabb all{{-k_far, -k_far, -k_far}, {k_far, k_far, k_far}};
+    std::vector<Aabb> boxes;
+    std::uint32_t operand = solid.first;
+    for (const SolidStep& step : tree_of(solid).steps) {
+        if (step.operation == SolidOperation::operand) {
+            const Primitive primitive{.shape = solid.shape, .operand = operand++};
+            const bool is_bounded = class_traits()[static_cast<std::size_t>(class_of(primitive))].bounded;
+            boxes.push_back(is_bounded ? box_of(primitive) : all);
+            continue;
+        }
+        const std::size_t first = boxes.size() - step.count;
+        Aabb box = boxes[first];
+        for (std::size_t i = first + 1; i < boxes.size(); ++i) {
+            if (step.operation == SolidOperation::merge || step.operation == SolidOperation::unite) {
+                box.add(boxes[i]);
+            } else if (step.operation != SolidOperation::difference) {
+                box = common(box, boxes[i]);
+            }
+        }
+        boxes.resize(first);
+        boxes.push_back(step.operation == SolidOperation::inverse ? all : box);
     }
+    return boxes.back();
+}
+
+Aabb Primitives::box_of(const Primitive& primitive) const {
+    if (const Shape& shape = shape_of(primitive); shape.kind == ShapeKind::mesh) return box_of_mesh(shape);
+    if (primitive.solid != k_none) return box_of_solid(solids_[primitive.solid]);
     Vec3 lo, hi;
     with_parameters(primitive,
                     [&](const auto& parameters, auto geometry) { geometry.bounds(parameters, lo, hi); });
     const std::uint32_t transform = map_of(primitive);
     if (transform != k_none) {
-        const Extent extent = mapped_box(scene_.transforms[transform], lo, hi);
+        const Extent extent = mapped_box(map(transform), lo, hi);
         lo = extent.lo, hi = extent.hi;
     }
     return padded_box(lo, hi);
 }
 
 bool Primitives::is_open(const Primitive& primitive) const {
-    bool open = true;  // as meshes are
+    bool open = primitive.solid == k_none && !primitive.is_operand();  // as meshes are
+    if (!open) return false;
     with_parameters(primitive,
                     [&](const auto& parameters, auto geometry) { open = geometry.is_open(parameters); });
     return open;
 }
 
 int Primitives::pack(const Primitive& primitive, double* values) const {
-    if (const Shape& shape = scene_.shapes[primitive.shape]; shape.kind == ShapeKind::mesh) {
+    if (const Shape& shape = shape_of(primitive); shape.kind == ShapeKind::mesh)
         return pack_mesh(shape, values);
+    if (primitive.solid != k_none) {
+        values[0] = primitive.solid;
+        return 1;
     }
     int n = 0;
     with_parameters(primitive, [&](const auto& parameters, auto geometry) {
@@ -213,7 +285,7 @@ int Primitives::pack(const Primitive& primitive, double* values) const {
         n = decltype(geometry)::k_values;
     });
     if (const std::uint32_t map = map_of(primitive); map != k_none) {
-        const Affine object_from_world = inverse(scene_.transforms[map]).value_or(Affine{});
+        const Affine object_from_world = inverse(this->map(map)).value_or(Affine{});
         for (const auto& row : object_from_world.m) {
             for (const double value : row) values[n++] = value;
         }
@@ -223,9 +295,9 @@ int Primitives::pack(const Primitive& primitive, double* values) const {
 
 bool is_closed(const Scene& scene, std::uint32_t shape) {
     const ShapeKind kind = scene.shapes[shape].kind;
-    if (kind == ShapeKind::polygon || kind == ShapeKind::mesh) return false;
+    if (kind == ShapeKind::polygon || kind == ShapeKind::mesh || kind == ShapeKind::solid) return false;
     const PackedMeshes none;
-    return !Primitives(scene, none).is_open({shape, k_none, 0});
+    return !Primitives(scene, none).is_open({shape});
 }
 
 }  // namespace glint

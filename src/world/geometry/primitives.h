@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// The primitives of a scene's shapes: one per shape, or one per triangle of a polygon.
+// The primitives of a scene's shapes: one per shape, or one per triangle of a polygon. A solid has one for
+// itself and one for each operand.
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "glint/scene.h"
@@ -19,7 +21,16 @@ inline constexpr int k_primitive_classes = 2 * k_shape_kinds;
 struct Primitive {
     std::uint32_t shape = 0;          // the index in Scene::shapes
     std::uint32_t triangle = k_none;  // for a polygon: the index in Primitives::triangles
-    std::uint32_t element = 0;        // SurfaceId::element: the number of the polygon's triangle
+    std::uint32_t element = 0;  // SurfaceId::element: the number of the polygon's triangle, or the operand
+    std::uint32_t operand = k_none;  // the index in Primitives::operands
+    std::uint32_t solid = k_none;    // of a solid itself: the index in Primitives::solids
+
+    bool is_operand() const { return operand != k_none; }
+};
+
+/// The solid of a shape: its operands are the primitives [first, first + count) of Primitives::operands.
+struct PrimitiveSolid {
+    std::uint32_t shape = 0, first = 0;
 };
 
 /// Whether a shape of the scene has several elements.
@@ -54,6 +65,8 @@ class Primitives {
     }
 
     int class_of(const Primitive& primitive) const;
+    std::span<const PrimitiveSolid> solids() const { return solids_; }
+    const SolidTree& tree_of(const PrimitiveSolid& solid) const;
     /// The padded box of a bounded primitive.
     Aabb box_of(const Primitive& primitive) const;
     /// Whether the primitive's shape encloses no space.
@@ -74,7 +87,16 @@ class Primitives {
     int pack(const Primitive& primitive, double* values) const;
 
   private:
+    const Shape& shape_of(const Primitive& primitive) const {
+        return primitive.is_operand() ? operands_[primitive.operand] : scene_.shapes[primitive.shape];
+    }
+    const Affine& map(std::uint32_t transform) const {
+        const std::size_t of_scene = scene_.transforms.size();
+        return transform < of_scene ? scene_.transforms[transform] : composed_[transform - of_scene];
+    }
     std::uint32_t map_of(const Primitive& primitive) const;
+    void add_solid(std::uint32_t shape);
+    Aabb box_of_solid(const PrimitiveSolid& solid) const;
     template <class Parameters, class Geometry, class Visit>
     void visit_transformed(const Shape& shape, const Parameters& parameters, Geometry geometry,
                            Visit&& visit) const;
@@ -88,6 +110,9 @@ class Primitives {
     bool one_per_shape_ = false;  // add_all() found that primitive i is shape i: no list is needed
     std::vector<Primitive> list_;
     std::vector<Triangle> triangles_;
+    std::vector<PrimitiveSolid> solids_;
+    std::vector<Shape> operands_;   // with the solids' transforms
+    std::vector<Affine> composed_;  // continues the scene's transforms
 };
 
 /// Whether a shape encloses a space that no ray can enter or leave without hitting the shape.

@@ -41,8 +41,8 @@ struct SplicedGeometry {
 
 /// removed: indices of the shapes in the old scene; added: in `scene`; both sorted, without repetitions. The
 /// others must be the same, in the same order. Nothing if the geometry must be built again: for polygons and
-/// meshes that are put in, if no bounded shape is left or was there, and if the hierarchy would become too
-/// deep.
+/// meshes that are put in, if there are solids, if no bounded shape is left or was there, and if the
+/// hierarchy would become too deep.
 std::optional<SplicedGeometry> splice_geometry(const PackedGeometry& old, const Scene& scene, bool cones,
                                                std::span<const std::uint32_t> removed,
                                                std::span<const std::uint32_t> added);

@@ -18,7 +18,7 @@ struct NormalsOf {
         if constexpr (Geometry::k_is_instance) {
             const MeshNormals normals = mesh_normals(geometry, shapes, id, point);
             shading = normals.shading, face = normals.face;
-        } else {
+        } else if constexpr (Geometry::k_has_formula) {
             compute<Geometry>();
         }
     }
@@ -36,7 +36,9 @@ SurfaceNormals surface_normals(const PackedGeometry& geometry, SurfaceId id, Vec
     const ShapeClass& shapes = geometry.class_of(id.slot);
     NormalsOf of{geometry, shapes, id, {point.x, point.y, point.z}, {}, {}};
     visit_geometry(shapes.kind, shapes.transformed, of);
-    return {{of.shading.x, of.shading.y, of.shading.z}, {of.face.x, of.face.y, of.face.z}};
+    SurfaceNormals normals{{of.shading.x, of.shading.y, of.shading.z}, {of.face.x, of.face.y, of.face.z}};
+    if (geometry.is_inverted(id.slot)) normals = {-normals.shading, -normals.face};
+    return normals;
 }
 
 }  // namespace glint

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rays and solids. They extend the hit rule:
+//   The crossings of a solid are those of its operands, along the whole line; those of an operand count if
+//   the line meets its padded box by the slab expression. Crossings that follow one within 1e-9 of the size
+//   of its coordinates are one event with it. A ray hits the solid at an event at which the solid's inside
+//   begins or ends, by the states of all operands before and after it (solid_states-inl.h). t is clamped to
+//   the interval of the solid's padded box.
+#if defined(GLINT_TRACE_SOLIDS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_SOLIDS_INL_H_
+#undef GLINT_TRACE_SOLIDS_INL_H_
+#else
+#define GLINT_TRACE_SOLIDS_INL_H_
+#endif
+
+#include <span>
+#include <vector>
+
+#include "geometry/crossings-inl.h"
+#include "trace/hits/hit_rule-inl.h"
+#include "trace/hits/solid_states-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// Crossings within this part of the size of their coordinates are one event.
+inline constexpr double k_event_size = 1e-9;
+
+/// The crossings of a vector of rays with one operand.
+struct OperandCrossings {
+    const ShapeClass& shapes;
+    const std::uint32_t slot;
+    const Ray<Doubles>& ray;
+    Crossing<Doubles>* to;
+    int count = 0;
+    template <class Geometry> HWY_INLINE void visit() {
+        if constexpr (Geometry::k_crossings > 0) find<Geometry>();
+    }
+
+  private:
+    // Not inline: every kernel that tests solids would contain every kind.
+    template <class Geometry> HWY_NOINLINE void find() {
+        Doubles p[Geometry::k_values];
+        broadcast_values<Geometry::k_values>(shapes, slot, p);
+        find_crossings<Geometry>(p, ray, to);
+        count = Geometry::k_crossings / 2;
+    }
+};
+
+/// The operands of a solid whose boxes the lines of a packet may meet.
+class SolidParts {
+  public:
+    SolidParts(const PackedSolid& solid, const RayPacket& packet) : solid_(solid) {
+        if (solid.slots.size() <= k_few) return;
+        std::vector<std::uint32_t> position(solid.slots.size(), k_none);
+        const auto size = static_cast<std::uint32_t>(solid.slots.size());
+        for (std::uint32_t first = 0; first < size; first += lane_count<float>()) {
+            const float* lo[3] = {&solid.lo[0][first], &solid.lo[1][first], &solid.lo[2][first]};
+            const float* hi[3] = {&solid.hi[0][first], &solid.hi[1][first], &solid.hi[2][first]};
+            const Slab slab = packet_slab(packet, lo, hi);
+            std::uint32_t met = to_bits(slab.entry <= slab.exit) &
+                                first_bits(number::min(static_cast<int>(size - first), lane_count<float>()));
+            for (; met != 0; met &= met - 1) {
+                const std::uint32_t operand = first + static_cast<std::uint32_t>(__builtin_ctz(met));
+                position[operand] = static_cast<std::uint32_t>(met_.size());
+                met_.push_back(operand);
+            }
+        }
+        reduced_ = reduce_items(solid.items, position);
+        is_reduced_ = true;
+    }
+
+    std::size_t size() const { return is_reduced_ ? met_.size() : solid_.slots.size(); }
+    /// The index in the solid.
+    std::uint32_t operand(std::size_t i) const {
+        return is_reduced_ ? met_[i] : static_cast<std::uint32_t>(i);
+    }
+    std::span<const SolidItem> items() const { return is_reduced_ ? reduced_ : solid_.items; }
+    const PackedSolid& solid() const { return solid_; }
+
+  private:
+    static constexpr std::size_t k_few = 8;
+
+    const PackedSolid& solid_;
+    bool is_reduced_ = false;
+    std::vector<std::uint32_t> met_;
+    std::vector<SolidItem> reduced_;
+};
+
+/// A vector of rays and their crossings with a solid.
+class SolidLanes {
+  public:
+    SolidLanes(const ShapeTests& tests, const RayPacket& packet, const SolidParts& parts, int i)
+        : tests_(tests), parts_(parts), ray_number_(i), ray_(tests.ray_lanes(i)) {
+        if (parts.size() > k_few) {
+            many_.resize(parts.size() * k_stride * k_most);
+            many_counts_.resize(parts.size());
+            many_states_.resize(2 * parts.size());
+            crossings_ = many_.data(), counts_ = many_counts_.data();
+            before_ = many_states_.data(), after_ = before_ + parts.size();
+        }
+        find_all(packet);
+    }
+
+    /// Accepts the hits of the rays `bits`, by entry and exit of the solid's box.
+    void test(std::uint32_t bits, Doubles entry, Doubles exit) {
+        const Doubles t_min = load(tests_.rays.t_min + ray_number_);
+        const Doubles scale = max_abs(ray_.origin) / max_abs(ray_.direction);
+        Doubles last(-k_infinity);
+        set_states(last, before_);
+        while (true) {
+            const Doubles next = next_crossing(last);
+            bits &= to_bits(next < Doubles(k_infinity));
+            if (bits == 0) return;
+            last = next + (scale + abs(next)) * Doubles(k_event_size);
+            set_states(last, after_);
+            const Doubles t = min(max(next, entry), exit),
+                          nearest = load(tests_.result.nearest.t + ray_number_);
+            bits &= to_bits(t <= nearest);
+            const std::uint32_t begins = to_bits(next > t_min && t > t_min) & bits;
+            if (begins != 0) {
+                const std::uint32_t hit = find_surface(parts_.items(), before_, after_) & begins;
+                if (hit != 0) bits &= ~accept(hit, t);
+            }
+            std::swap(before_, after_);
+        }
+    }
+
+  private:
+    static constexpr std::size_t k_few = 16;
+    static constexpr int k_most = 2;  // crossings of an operand
+    static constexpr int k_stride = 2 * lane_count<double>();
+
+    void find_all(const RayPacket& packet) {
+        const PackedSolid& solid = parts_.solid();
+        int found = 0;
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            const std::uint32_t operand = parts_.operand(i), slot = solid.slots[operand];
+            const float lo[3] = {solid.lo[0][operand], solid.lo[1][operand], solid.lo[2][operand]};
+            const float hi[3] = {solid.hi[0][operand], solid.hi[1][operand], solid.hi[2][operand]};
+            const Slab slab = box_slab(packet, ray_number_, lo, hi);
+            const std::uint32_t met = to_bits(slab.entry <= slab.exit) & first_bits(lane_count<double>());
+            counts_[i] = 0;
+            if (met == 0) continue;
+            const ShapeClass& shapes = tests_.geometry.class_of(slot);
+            Crossing<Doubles> crossings[k_most];
+            OperandCrossings of{shapes, slot, ray_, crossings};
+            visit_geometry(shapes.kind, shapes.transformed, of);
+            const auto is_met = from_bits<double>(met);
+            double* to = crossings_ + found * k_stride;
+            for (int k = 0; k < of.count; ++k, to += k_stride) {
+                store(select(is_met, crossings[k].enter, Doubles(k_infinity)), to);
+                store(select(is_met, crossings[k].exit, Doubles(-k_infinity)), to + lane_count<double>());
+            }
+            counts_[i] = of.count;
+            found += of.count;
+        }
+        total_ = found;
+    }
+
+    /// The least t of a crossing beyond `last`.
+    Doubles next_crossing(Doubles last) const {
+        Doubles next(k_infinity);
+        const double* const end = crossings_ + total_ * k_stride;
+        for (const double* at = crossings_; at != end; at += lane_count<double>()) {
+            const Doubles t = load(at);
+            next = min(next, select(t > last, t, Doubles(k_infinity)));
+        }
+        return next;
+    }
+
+    /// By operand: the rays that are inside it beyond t.
+    void set_states(Doubles t, std::uint32_t* states) const {
+        const double* at = crossings_;
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            std::uint32_t inside = 0;
+            for (const double* const end = at + counts_[i] * k_stride; at != end; at += k_stride)
+                inside |= to_bits(load(at) <= t && load(at + lane_count<double>()) > t);
+            states[i] = inside;
+        }
+    }
+
+    /// Returns the rays that need no further crossings.
+    std::uint32_t accept(std::uint32_t hit, Doubles at) {
+        alignas(64) double t[lane_count<double>()];
+        store(at, t);
+        std::uint32_t done = 0;
+        for (; hit != 0; hit &= hit - 1) {
+            const int lane = __builtin_ctz(hit), ray = ray_number_ + lane;
+            const std::size_t part = find_face(parts_.items(), before_, after_, parts_.size(), 1u << lane);
+            const HitResult& result = tests_.result;
+            result.accept(ray, t[lane],
+                          tests_.geometry.surface_of(parts_.solid().slots[parts_.operand(part)]));
+            // Of several operands, some may let light pass.
+            if (result.occluded == nullptr || result.occluded[ray] != 0) done |= 1u << lane;
+        }
+        return done;
+    }
+
+    const ShapeTests& tests_;
+    const SolidParts& parts_;
+    const int ray_number_;  // of the first, in the chunk
+    const Ray<Doubles> ray_;
+    alignas(64) double few_[k_few * k_most * k_stride];
+    int few_counts_[k_few];
+    std::uint32_t few_states_[2 * k_few];
+    std::vector<double> many_;
+    std::vector<int> many_counts_;
+    std::vector<std::uint32_t> many_states_;
+    double* crossings_ = few_;   // of each, the vectors of enter and exit
+    int* counts_ = few_counts_;  // of crossings, by part
+    int total_ = 0;
+    std::uint32_t *before_ = few_states_, *after_ = few_states_ + k_few;  // the rays that are inside, by part
+};
+
+void ShapeTests::solids_leaf(const ShapeClass& shapes, const RayPacket& packet, std::uint64_t active,
+                             std::uint32_t first, std::uint32_t count) {
+    constexpr int lanes = lane_count<float>();
+    for (std::uint32_t shape = first; shape < first + count; ++shape) {
+        const float lo[3] = {geometry.box_lo[0][shape], geometry.box_lo[1][shape], geometry.box_lo[2][shape]};
+        const float hi[3] = {geometry.box_hi[0][shape], geometry.box_hi[1][shape], geometry.box_hi[2][shape]};
+        const std::uint64_t met = rays_that_meet(packet, active, lo, hi);
+        if (met == 0) continue;
+        const SolidParts parts(geometry.solids[static_cast<std::size_t>(shapes.value(0, shape))], packet);
+        for (int r = 0; r < packet.count; r += lanes) {
+            const std::uint32_t bits = static_cast<std::uint32_t>(met >> r) & first_bits(lanes);
+            if (bits == 0) continue;
+            const Slab slab = box_slab(packet, packet.first + r, lo, hi);
+            alignas(64) float entry[lanes], exit[lanes];
+            store(slab.entry, entry);
+            store(slab.exit, exit);
+            for (int c = 0; c < lanes; c += lane_count<double>()) {
+                const std::uint32_t here = bits >> c & first_bits(lane_count<double>());
+                if (here == 0) continue;
+                SolidLanes(*this, packet, parts, packet.first + r + c)
+                    .test(here, widen(entry + c), widen(exit + c));
+            }
+        }
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+// Solids: rays meet them where a point's membership changes, by definition and not by the tested formulas.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "trace/pictures.h"
+#include "trace/rays.h"
+#include "trace/worlds.h"
+
+namespace glint::test {
+namespace {
+
+using Inside = std::function<bool(Vec3)>;
+
+struct SurfaceHit {
+    bool exists = false;
+    double t = 0;
+    Vec3 normal;
+    std::uint32_t material = k_none;  // the row
+};
+
+/// The same on every instruction set.
+SurfaceHit nearest_surface(const World& world, Vec3 o, Vec3 d) {
+    Rays rays;
+    rays.push(o, d);
+    SurfaceHit found;
+    bool is_first = true;
+    for (const Kernels& kernels : available_kernels()) {
+        const Hits hits = nearest_hits(kernels, world, rays, 64);
+        const SurfaceId id{hits.slot[0], hits.element[0]};
+        if (!is_first) {
+            EXPECT_EQ(id.exists(), found.exists);
+            if (found.exists) {
+                EXPECT_EQ(hits.t[0], found.t);
+            }
+        }
+        is_first = false;
+        if (!id.exists()) continue;
+        const SurfaceNormals normals = surface_normals(*world.parts().geometry, id, o + d * hits.t[0]);
+        found = {true, hits.t[0], normals.shading, (*world.parts().slot_material)[id.slot]};
+    }
+    return found;
+}
+
+/// A shape without a transform, and what is inside it.
+struct Part {
+    Shape shape;
+    Inside inside;
+};
+
+template <class T> Shape shape_of(Scene& scene, const T& parameters) {
+    scene.add(parameters);
+    const Shape shape = scene.shapes.back();
+    scene.shapes.pop_back();
+    return shape;
+}
+
+/// Within the cube of half edge 2 around the origin, or a half-space.
+Part random_part(Scene& scene, Random& random) {
+    const Vec3 at = point_in_cube(random, 1);
+    const Vec3 along = chance(random, 0.5) ? axis_direction(random) : unit_direction(random);
+    const double r = random.uniform(0.2, 1);
+    switch (below(random, 6)) {
+        case 0:
+            return {shape_of(scene, Sphere{at, r}), [=](Vec3 p) { return length(p - at) < r; }};
+        case 1: {
+            const Vec3 lo = at - Vec3{r, r / 2, r / 3}, hi = at + Vec3{r, r, r};
+            return {shape_of(scene, Box{lo, hi}), [=](Vec3 p) {
+                        return p.x > lo.x && p.x < hi.x && p.y > lo.y && p.y < hi.y && p.z > lo.z &&
+                               p.z < hi.z;
+                    }};
+        }
+        case 2:
+            return {shape_of(scene, Cylinder{at, at + along, r / 2, true}), [=](Vec3 p) {
+                        const double h = dot(p - at, along);
+                        return h > 0 && h < 1 && length(p - at - along * h) < r / 2;
+                    }};
+        case 3:
+            return {shape_of(scene, Cone{at, at + along, r, r / 4, true}), [=](Vec3 p) {
+                        const double h = dot(p - at, along);
+                        return h > 0 && h < 1 && length(p - at - along * h) < r + (r / 4 - r) * h;
+                    }};
+        case 4:
+            return {shape_of(scene, Torus{at, along, r, r / 3}), [=](Vec3 p) {
+                        const double h = dot(p - at, along);
+                        const double off = length(p - at - along * h) - r;
+                        return off * off + h * h < r * r / 9;
+                    }};
+        default:
+            return {shape_of(scene, Plane{at, along}), [=](Vec3 p) { return dot(p - at, along) < 0; }};
+    }
+}
+
+/// A tree with up to `most` operands; its last shape is added to the scene.
+Part random_solid(Scene& scene, Random& random, int most) {
+    if (most <= 1) return random_part(scene, random);
+    const int first = 1 + below(random, most - 1);
+    Part a = random_solid(scene, random, first), b = random_solid(scene, random, most - first);
+    const auto operation = static_cast<SolidOperation>(
+        below(random, 3) == 0 ? static_cast<int>(SolidOperation::merge)
+                              : static_cast<int>(SolidOperation::intersection) + below(random, 2));
+    const Shape parts[] = {a.shape, b.shape};
+    scene.solids.push_back(combine(scene, operation, parts));
+    Shape solid = shape_of(scene, Solid{static_cast<std::uint32_t>(scene.solids.size() - 1)});
+    const Inside x = a.inside, y = b.inside;
+    if (operation == SolidOperation::merge) return {solid, [=](Vec3 p) { return x(p) || y(p); }};
+    if (operation == SolidOperation::difference) return {solid, [=](Vec3 p) { return x(p) && !y(p); }};
+    return {solid, [=](Vec3 p) { return x(p) && y(p); }};
+}
+
+// The inside changes at each hit and nowhere before it: found by steps along the ray, which are much smaller
+// than the parts.
+TEST(Solids, ARayMeetsTheFirstChangeOfTheInside) {
+    Random random(4001);
+    int hits = 0, starts_inside = 0;
+    for (int round = 0; round < 600; ++round) {
+        Scene scene;
+        const Part solid = random_solid(scene, random, 1 + below(random, 6));
+        scene.shapes.push_back(solid.shape);
+        const std::optional<World> world = make_world(scene);
+        ASSERT_TRUE(world);
+        for (int i = 0; i < 40; ++i) {
+            const Vec3 o = point_in_cube(random, 2.5);
+            const Vec3 d = chance(random, 0.2) ? axis_direction(random) : unit_direction(random);
+            const bool inside = solid.inside(o);
+            starts_inside += inside;
+            constexpr double k_step = 1e-3, k_reach = 8;
+            double change = k_reach;
+            for (double t = 0; t < k_reach; t += k_step) {
+                if (solid.inside(o + d * t) != inside) {
+                    change = t;
+                    break;
+                }
+            }
+            const SurfaceHit hit = nearest_surface(*world, o, d);
+            const double t = hit.exists ? std::min(hit.t, k_reach) : k_reach;
+            if (hit.exists) {
+                ++hits;
+                // Where it begins or ends, and the normal is towards the outside.
+                EXPECT_NE(solid.inside(o + d * (hit.t - 1e-7)), solid.inside(o + d * (hit.t + 1e-7)));
+                const Vec3 p = o + d * hit.t;
+                if (std::fabs(dot(hit.normal, d)) > 1e-3) {
+                    EXPECT_TRUE(solid.inside(p - hit.normal * 1e-6));
+                    EXPECT_FALSE(solid.inside(p + hit.normal * 1e-6));
+                }
+            }
+            EXPECT_LE(t, change + 1e-6);
+            // Thin parts lie between two steps.
+            if (t < change - 2 * k_step) {
+                EXPECT_NE(solid.inside(o + d * (t + 1e-6)), inside) << "round " << round;
+            }
+        }
+    }
+    EXPECT_GT(hits, 2000);
+    EXPECT_GT(starts_inside, 800);
+}
+
+// Of a rounded die: faces of operands that coincide leave no skin, and tangents no surface.
+TEST(Solids, FlushCutsLeaveNoSkin) {
+    Scene scene;
+    scene.add(Box{{-1, -1, -1}, {1, 1, 1}});
+    scene.add(Box{{-1, -1, 0}, {1, 1, 1}});
+    combine_last(scene, SolidOperation::difference, 0);
+    const std::optional<World> world = make_world(scene);
+    const SurfaceHit hit = nearest_surface(*world, {0.3, 0.2, 5}, {0, 0, -1});
+    ASSERT_TRUE(hit.exists);
+    EXPECT_NEAR(hit.t, 5, 1e-12);
+    EXPECT_NEAR(hit.normal.z, 1, 1e-12);
+}
+
+TEST(Solids, TheOutsideOfAShapeIsASolid) {
+    Scene scene;
+    scene.add(Sphere{{0, 0, 0}, 1});
+    combine_last(scene, SolidOperation::inverse, 0);
+    const std::optional<World> world = make_world(scene);
+    const SurfaceHit hit = nearest_surface(*world, {0, 0, 5}, {0, 0, -1});
+    ASSERT_TRUE(hit.exists);
+    EXPECT_NEAR(hit.t, 4, 1e-12);
+    EXPECT_NEAR(hit.normal.z, -1, 1e-12);  // into the sphere
+}
+
+TEST(Solids, ACutIsOpen) {
+    Scene scene;
+    scene.add(Sphere{{0, 0, 0}, 1});
+    scene.add(Plane{{0, 0, 0}, {0, 0, 1}});  // keeps z < 0
+    combine_last(scene, SolidOperation::clip, 0);
+    const std::optional<World> world = make_world(scene);
+    const SurfaceHit hit = nearest_surface(*world, {0, 0, 5}, {0, 0, -1});
+    ASSERT_TRUE(hit.exists);
+    EXPECT_NEAR(hit.t, 6, 1e-12);
+    EXPECT_NEAR(hit.normal.z, -1, 1e-12);
+}
+
+// POV-Ray's union within a solid.
+TEST(Solids, AUnionKeepsInnerSurfacesAndAMergeDoesNot) {
+    for (const bool keeps : {true, false}) {
+        Scene scene;
+        scene.add(Sphere{{0, 0, 0.5}, 1});
+        scene.add(Sphere{{0, 0, -0.5}, 1});
+        combine_last(scene, keeps ? SolidOperation::unite : SolidOperation::merge, 0);
+        scene.add(Box{{-3, -3, -3}, {3, 3, 3}});
+        combine_last(scene, SolidOperation::intersection, 0);
+        const std::optional<World> world = make_world(scene);
+        const SurfaceHit hit = nearest_surface(*world, {0, 0, 1.4}, {0, 0, -1});
+        ASSERT_TRUE(hit.exists);
+        EXPECT_NEAR(hit.t, keeps ? 0.9 : 2.9, 1e-12);
+    }
+}
+
+// More operands than a packet's rays are tested with: those that no ray meets are left out.
+TEST(Solids, ManyHolesEqualAFewOfThem) {
+    Scene all, one;
+    for (Scene* scene : {&all, &one}) scene->add(Box{{-10, -10, -1}, {10, 10, 1}});
+    for (int i = 0; i < 400; ++i) {
+        const Vec3 at{-9.5 + i % 20, -9.5 + i / 20, 0};
+        all.add(Cylinder{at - Vec3{0, 0, 2}, at + Vec3{0, 0, 2}, 0.3, true});
+        if (i == 210) one.add(Cylinder{at - Vec3{0, 0, 2}, at + Vec3{0, 0, 2}, 0.3, true});
+    }
+    combine_last(all, SolidOperation::difference, 0);
+    combine_last(one, SolidOperation::difference, 0);
+    const std::optional<World> worlds[] = {make_world(all), make_world(one)};
+    Random random(4002);
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 o{random.uniform(0, 1), random.uniform(0, 1), 5};
+        const SurfaceHit a = nearest_surface(*worlds[0], o, {0, 0, -1}),
+                         b = nearest_surface(*worlds[1], o, {0, 0, -1});
+        ASSERT_EQ(a.exists, b.exists);
+        if (a.exists) {
+            ASSERT_EQ(a.t, b.t);
+        }
+    }
+}
+
+// Each operand has its own material, or the solid's.
+TEST(Solids, OperandsHaveMaterials) {
+    Scene scene;
+    Material red, blue;
+    red.color = {1, 0, 0}, blue.color = {0, 0, 1};
+    scene.materials = {red, blue};
+    scene.add(Box{{-1, -1, -1}, {1, 1, 1}});
+    scene.add(Sphere{{0, 0, 1}, 0.5}, 1);
+    combine_last(scene, SolidOperation::difference, 0, 0);
+    const std::optional<World> world = make_world(scene);
+    EXPECT_EQ(nearest_surface(*world, {0.9, 0, 5}, {0, 0, -1}).material, 0u);
+    EXPECT_EQ(nearest_surface(*world, {0, 0, 5}, {0, 0, -1}).material, 1u);
+}
+
+}  // namespace
+}  // namespace glint::test
