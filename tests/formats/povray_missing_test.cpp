@@ -78,7 +78,7 @@ TEST(PovRayMissing, ClearSolidsRefract) {
 
 TEST(PovRayMissing, NothingThatIsNamedHidesAnother) {
     // Both an effect and a shape's cut are missing: the cut is an error, whatever follows it.
-    const std::string text = said("sphere { 0, 2 clipped_by { box { -1, 1 } } no_image double_illuminate }");
+    const std::string text = said("disc { 0, y, 2 clipped_by { box { -1, 1 } } no_image double_illuminate }");
     EXPECT_NE(text.find("error: glint does not render `clipped_by`"), std::string::npos) << text;
     EXPECT_NE(text.find("`no_image`"), std::string::npos) << text;
     EXPECT_NE(text.find("`double_illuminate`"), std::string::npos) << text;
@@ -209,29 +209,41 @@ TEST(PovRayMissing, UnusualCamerasAndSpots) {
     EXPECT_EQ(camera.find("expected"), std::string::npos) << camera;
 }
 
-// Jmol cuts shapes by the box of the picture.
+// Jmol cuts shapes by the box of the picture: what is not seen is drawn whole, the rest is cut. A disc, which
+// has no inside, cannot be cut.
 TEST(PovRayMissing, CutsOutsideThePictureAreNone) {
     const std::string camera =
         "camera { orthographic location <2, 1, -5> look_at <2, 1, 0> right 4*x up 2*y }\n";
     const std::string inside = "clipped_by { box { 0, <4, 2, 99> } } ";
-    EXPECT_EQ(said(camera + "sphere { <0, 1, 3>, 1 " + inside + "no_shadow }"), "");
+    for (const std::string kind : {"sphere { <0, 1, 3>, 1 ", "disc { <0, 1, 3>, y, 1 "})
+        EXPECT_EQ(said(camera + kind + inside + "no_shadow }"), "") << kind;
+    EXPECT_EQ(povray_scene(camera + "sphere { <0, 1, 3>, 1 " + inside + "no_shadow }").shapes.at(0).kind,
+              ShapeKind::sphere);
     const std::string seen = "error: glint does not render `clipped_by`";
-    for (const std::string& shape : {
-             "sphere { <0, 1, 3>, 1 " + inside + "}",  // its shadow is seen
-             std::string("sphere { <4, 1, 3>, 1 clipped_by { box { 0, <3.9, 2, 99> } } no_shadow }"),
-             std::string("sphere { <0, 1, 3>, 1 clipped_by { box { 0, <4, 2, 3> } } no_shadow }"),
-             "sphere { <0, 1, 3>, 1 " + inside + "no_shadow translate x }",
-             "union { sphere { <0, 1, 3>, 1 " + inside + "no_shadow } translate x }",
-             "sphere { <0, 1, 3>, 1 " + inside + "no_shadow finish { reflection .5 } }",
-             "union { sphere { <0, 1, 3>, 1 } " + inside + "no_shadow }",
+    for (const std::string& items : {
+             "<0, 1, 3>, 1 " + inside + "}",  // its shadow is seen
+             std::string("<4, 1, 3>, 1 clipped_by { box { 0, <3.9, 2, 99> } } no_shadow }"),
+             std::string("<0, 1, 3>, 1 clipped_by { box { 0, <4, 2, 3> } } no_shadow }"),
+             "<0, 1, 3>, 1 " + inside + "no_shadow translate x }",
+             "<0, 1, 3>, 1 " + inside + "no_shadow } translate x }",
+             "<0, 1, 3>, 1 " + inside + "no_shadow finish { reflection .5 } }",
+             "<0, 1, 3>, 1 } " + inside + "no_shadow }",
          }) {
-        EXPECT_NE(said(camera + shape).find(seen), std::string::npos) << shape << said(camera + shape);
+        const bool is_group =
+            std::count(items.begin(), items.end(), '}') > std::count(items.begin(), items.end(), '{') + 1;
+        const auto shape = [&](std::string of, const char* normal) {
+            of.insert(of.find("3>,") + 3, normal);
+            return of;
+        };
+        const std::string ball = (is_group ? "union { sphere { " : "sphere { ") + items,
+                          disc = (is_group ? "union { disc { " : "disc { ") + shape(items, " y,");
+        EXPECT_NE(said(camera + disc).find(seen), std::string::npos) << disc << said(camera + disc);
+        EXPECT_EQ(said(camera + ball), "") << ball;
+        EXPECT_EQ(povray_scene(camera + ball).shapes.at(0).kind, ShapeKind::solid) << ball;
     }
-    EXPECT_NE(
-        said("camera { location <2, 1, -5> look_at <2, 1, 0> right 4*x up 2*y }\nsphere { <0, 1, 3>, 1 " +
-             inside + "no_shadow }")
-            .find(seen),
-        std::string::npos)
+    const std::string perspective = "camera { location <2, 1, -5> look_at <2, 1, 0> right 4*x up 2*y }\n";
+    EXPECT_EQ(povray_scene(perspective + "sphere { <0, 1, 3>, 1 " + inside + "no_shadow }").shapes.at(0).kind,
+              ShapeKind::solid)
         << "perspective shows more at this depth";
 }
 

@@ -373,14 +373,18 @@ INSTANTIATE_TEST_SUITE_P(
                 {"glint does not render `torus` (with a radius that is not above 0) of POV-Ray; the option "
                  "skip-unsupported leaves it out and draws the rest"}},
         BadText{"Difference",
-                L "sphere { 0, 1 }\nunion { $difference { box { 0, 1 } sphere { 0, 1 } } }",
-                {"glint does not render `difference` (a solid made of others) of POV-Ray; the option "
+                L "sphere { 0, 1 }\nunion { difference { box { 0, 1 } $disc { 0, y, 1 } } }",
+                {"glint does not render `disc` (in a solid) of POV-Ray; the option "
+                 "skip-unsupported leaves it out and draws the rest"}},
+        BadText{"Operand",
+                L "intersection { box { 0, 1 } union { sphere { 0, 1 } $blob { sphere { 0, 1, 1 } } } }",
+                {"glint does not render `blob` (a shape) of POV-Ray; the option "
                  "skip-unsupported leaves it out and draws the rest"}},
         BadText{"Normal",
                 L "sphere { 0, 1 pigment { rgb 1 } $normal { bumps .4 } }",
                 {"glint does not render `normal` (a material) of POV-Ray: the picture will differ"}},
         BadText{"Clip",
-                L "sphere { 0, 2 $clipped_by { box { -1, 1 } } }",
+                L "disc { 0, y, 2 $clipped_by { box { -1, 1 } } }",
                 {"glint does not render `clipped_by` (a part of a shape) of POV-Ray; the object is cut where "
                  "the picture shows it: take the `clipped_by` out of the text, or draw the whole object with "
                  "the option skip-unsupported"}},

@@ -79,7 +79,7 @@ TEST(SkipUnsupported, KeepsTheLookOfALight) {
 // Without these the objects are drawn.
 TEST(SkipUnsupported, DrawsObjectsWithoutTheirCuts) {
     const std::string text =
-        "camera { location -5*z look_at 0 }\nsphere { 0, 1 clipped_by { sphere { x, 1 } } }\n";
+        "camera { location -5*z look_at 0 }\ndisc { 0, y, 1 clipped_by { sphere { x, 1 } } }\n";
     EXPECT_FALSE(load_rest(text, "povray", false));
     const Result<Scene> result = load_rest(text, "povray");
     ASSERT_TRUE(result) << messages(result);

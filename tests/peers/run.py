@@ -22,12 +22,13 @@ import output
 import patterns
 import pov
 import sky
+import solids
 import tori
 import transparency
 
 SHARE = 0.99
 LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES, output.RULES, dat.RULES, pov.RULES,
-         images.RULES, patterns.RULES, tori.RULES]
+         images.RULES, patterns.RULES, solids.RULES, tori.RULES]
 
 
 def read_ppm(path):

@@ -82,7 +82,8 @@ bool bounds_of(const Object& object, Vec3& lo, Vec3& hi) {
 
 bool holds(const Object& clip, const Object& object) {
     Bounds outer;
-    if (clip.map || !clip.missing.empty() || !bounds_of(object, outer.lo, outer.hi)) return false;
+    if (clip.map || clip.is_inverse || !clip.missing.empty() || !bounds_of(object, outer.lo, outer.hi))
+        return false;
     if (clip.kind == ObjectKind::box) {
         const Vec3 lo{std::min(clip.a.x, clip.b.x), std::min(clip.a.y, clip.b.y),
                       std::min(clip.a.z, clip.b.z)};

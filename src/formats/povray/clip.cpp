@@ -63,7 +63,7 @@ std::shared_ptr<const Clip> clip_of(const Object& clip, const Object& object, co
     out->map = object.map;
     out->missing = missing;
     Vec3 lo, hi;
-    if (clip.map || !clip.missing.empty() || !bounds_of(object, lo, hi)) return out;
+    if (clip.map || clip.is_inverse || !clip.missing.empty() || !bounds_of(object, lo, hi)) return out;
     const auto least = [](double n, double a, double b) { return std::max(n * a, n * b); };
     for (const HalfSpace& half : half_spaces(clip)) {
         const Vec3& n = half.n;
@@ -92,7 +92,8 @@ bool is_seen(const Clip& clip, const Scene& scene) {
 
 bool clip_mesh(const Object& clip, Object& object) {
     const std::vector<HalfSpace> halves = half_spaces(clip);
-    if (object.kind != ObjectKind::mesh || object.map || clip.map || !clip.missing.empty() || halves.empty())
+    if (object.kind != ObjectKind::mesh || object.map || clip.map || clip.is_inverse ||
+        !clip.missing.empty() || halves.empty())
         return false;
     const ReadMesh& mesh = *object.mesh;
     auto cut = make_counted<ReadMesh>();

@@ -7,13 +7,22 @@
 
 namespace glint::povray {
 
-// Clips are no error if they cut only what is outside the picture, and what is cut casts no shadow.
+// What is cut and casts no shadow stays whole if it is outside the picture.
 void SceneBuilder::check_clips() {
     const auto& all = scene_.materials;
     const bool has_mirrors = std::any_of(
         all.begin(), all.end(), [](const Material& m) { return m.mirror > 0 || m.transmission > 0; });
-    for (const auto& clip : clips_) {
-        if (has_mirrors || is_seen(*clip, scene_)) report(clip->missing);
+    for (const UncutShape& uncut : clips_) {
+        if (stream_.failed()) return;
+        if (!has_mirrors && !is_seen(*uncut.clip, scene_)) continue;
+        const bool is_cut = uncut.has_inside && uncut.shape < scene_.shapes.size() &&
+                            std::all_of(uncut.objects.begin(), uncut.objects.end(),
+                                        [](const ClipObject& clip) { return encloses_space(*clip.object); });
+        if (is_cut) {
+            cut(uncut);
+        } else {
+            report(uncut.clip->missing);
+        }
     }
 }
 

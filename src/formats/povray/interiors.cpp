@@ -40,11 +40,9 @@ void SceneBuilder::use_interiors() {
     const std::size_t given = scene_.materials.size();
     std::vector<bool> used(given);
     auto range = interiors_.begin();
-    for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
-        std::uint32_t& material = scene_.shapes[i].material;
-        if (material >= given) continue;
-        while (range != interiors_.end() && range->end <= i) ++range;
-        const bool has = range != interiors_.end() && range->first <= i;
+    // Returns false if there is not enough memory.
+    const auto use = [&](std::uint32_t& material, bool has) {
+        if (material >= given) return true;
         const Material& m = scene_.materials[material];
         const bool lets_through = m.is_transparent() || m.transmission > 0;
         const Kind kind{material, has && lets_through ? range->body : 0, has && range->is_hollow};
@@ -56,7 +54,7 @@ void SceneBuilder::use_interiors() {
                 note(scene_.material_texts, known->second, scene_.material_texts.place(material));
                 scene_.materials.push_back(m);
                 const bool is_time = scene_.materials.size() % 256 == 0;
-                if (is_time && !stream_.is_within_memory(stream_.own_tokens().back())) return;
+                if (is_time && !stream_.is_within_memory(stream_.own_tokens().back())) return false;
             }
             used[material] = true;
             Material& own = scene_.materials[known->second];
@@ -64,6 +62,17 @@ void SceneBuilder::use_interiors() {
             own.hollow = std::get<2>(kind);
         }
         material = known->second;
+        return true;
+    };
+    for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
+        while (range != interiors_.end() && range->end <= i) ++range;
+        const bool has = range != interiors_.end() && range->first <= i;
+        Shape& shape = scene_.shapes[i];
+        if (!use(shape.material, has)) return;
+        if (shape.kind != ShapeKind::solid) continue;
+        for (Shape& operand : scene_.solids[scene_.get<Solid>()[shape.index].solid].operands) {
+            if (!use(operand.material, has)) return;
+        }
     }
 }
 

@@ -72,6 +72,10 @@ bool ObjectParser::read_modifier(Object& object) {
             take();
             object.is_open = true;
             return true;
+        case Word::k_cutaway_textures:
+            take();
+            object.is_cutaway = true;
+            return true;
         case Word::k_clipped_by:
             take();
             read_clip(object);
@@ -132,16 +136,15 @@ void ObjectParser::read_clip(Object& object) {
         if (clip.is_inverse && clip.kind == ObjectKind::plane) {
             clip.b = -clip.b;
             clip.s = -clip.s;
-        } else if (clip.is_inverse) {
-            clip.missing.add(missing(at, "inverse"));  // what is outside of it: not cut
+            clip.is_inverse = false;
         }
         if (object.mesh) spend(object.mesh->vertices.size() + object.mesh->triangles.size());
         if (!failed() && !holds(clip, object) && !clip_mesh(clip, object)) {
             Missing clipped = missing(at, "clipped_by");
             clipped.is_error = !reading().options.skip_unsupported;
             const auto cut = clip_of(clip, object, clipped);
-            if (object.clip) object.missing.add(cut->missing);  // two: not known
             object.clip = cut;
+            object.clips.push_back({make_counted<const Object>(std::move(clip)), object.map});
         }
     }
 }

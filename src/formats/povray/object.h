@@ -9,6 +9,7 @@
 
 #include "formats/povray/texture.h"
 #include "glint/mesh.h"
+#include "glint/solid.h"
 #include "scene/ranges.h"
 
 namespace glint::povray {
@@ -26,6 +27,7 @@ enum class ObjectKind : std::uint8_t {
     mesh,
     polygon,
     group,
+    solid,
     light,
     refused
 };
@@ -87,12 +89,20 @@ struct Clip {
 struct Object;
 using ObjectPart = std::shared_ptr<const Object>;
 
-/// An object: a shape, a group of objects, a light, or one that is not rendered. Parts are shared.
+/// An object of clipped_by. The transforms that follow it apply to both.
+struct ClipObject {
+    ObjectPart object;
+    std::optional<Affine> map;  ///< Object::map where it was read
+};
+
+/// An object: a shape, a group of objects or a solid, a light, or one that is not rendered. Parts are shared.
 struct Object {
     ObjectKind kind = ObjectKind::group;
-    Vec3 a, b, c;         ///< points; sphere: center; plane, disc: normal in b
+    SolidOperation operation = SolidOperation::unite;  ///< of a solid
+    Vec3 a, b, c;                                      ///< points; sphere: center; plane, disc: normal in b
     double r = 0, s = 0;  ///< radii; plane: the distance; disc: that of the hole in s
-    bool is_open = false, is_no_shadow = false, is_merge = false, is_inverse = false, is_uv = false;
+    bool is_open = false, is_no_shadow = false, is_merge = false, is_inverse = false, is_uv = false,
+         is_cutaway = false;
     Token at;
     std::optional<Affine> map;  ///< world_from_object
     std::shared_ptr<const Texture> texture;
@@ -103,6 +113,7 @@ struct Object {
     std::shared_ptr<const CountedVector<Vec3>> outline;  ///< of a polygon
     std::shared_ptr<const LightSource> light;
     std::shared_ptr<const Clip> clip;
+    CountedVector<ClipObject> clips;  ///< all that cut
     std::shared_ptr<const Opaque> interior;
     std::optional<bool> hollow;
     std::optional<Token> no_reflection;
@@ -110,6 +121,11 @@ struct Object {
     std::uint64_t count = 1;  ///< of shapes in it
     int depth = 1;            ///< of groups
 };
+
+/// Whether an object can be an operand of a solid: all shapes in it have an inside that glint knows.
+bool encloses_space(const Object& object);
+/// Adds what is an error of an object and its parts as operands of a solid.
+void add_operand_errors(const Object& object, MissingList& missing);
 
 /// The width of the default camera's picture, whose height is 1: not 4/3 (POV-Ray, measured).
 inline constexpr double k_default_right = 1.33;

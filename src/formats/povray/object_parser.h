@@ -30,6 +30,7 @@ class ObjectParser : public TextureParser {
     ObjectPart object_of(const Token& name);
     Object refuse_object(const Token& word);
     Object read_group(const Token& word);
+    void check_operands(Object& solid);
 
     // shapes.cpp
     Object read_shape(const Token& word);

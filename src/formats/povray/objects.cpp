@@ -90,7 +90,6 @@ Object ObjectParser::read_object() {
     switch (word.word()) {
         case Word::k_difference:
         case Word::k_intersection:
-            return refuse_object(word);
         case Word::k_union:
         case Word::k_merge:
             return read_group(word);
@@ -161,12 +160,16 @@ Object ObjectParser::refuse_object(const Token& word) {
     return object;
 }
 
-// union and merge: objects and modifiers.
+// union, merge, intersection, difference: objects and modifiers.
 Object ObjectParser::read_group(const Token& word) {
     Object group;
     group.at = word;
     if (!expect('{')) return group;
-    group.kind = ObjectKind::group;
+    const bool is_difference = word.word() == Word::k_difference;
+    if (is_difference || word.word() == Word::k_intersection) {
+        group.kind = ObjectKind::solid;
+        group.operation = is_difference ? SolidOperation::difference : SolidOperation::intersection;
+    }
     group.is_merge = word.word() == Word::k_merge;
     group.count = 0;
     auto parts = make_counted<CountedVector<ObjectPart>>();
@@ -188,6 +191,7 @@ Object ObjectParser::read_group(const Token& word) {
     if (failed()) return group;
     parts->shrink_to_fit();
     group.parts = std::move(parts);
+    if (group.kind == ObjectKind::solid) check_operands(group);
     read_modifiers(group);
     return group;
 }

@@ -93,10 +93,13 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
     report(object.missing);
     if (object.no_reflection && !no_reflection_) no_reflection_ = stream_.call_place(*object.no_reflection);
     if (object.clip) {
-        const bool is_as_read = !from.map && object.map == object.clip->map && own.is_no_shadow;
-        if (is_as_read) {
-            clips_.push_back(object.clip);
-        } else {
+        // If the camera does not see what is cut, it is not cut: Jmol cuts by the box of the picture.
+        const bool may_be_unseen = !from.map && object.map == object.clip->map && own.is_no_shadow &&
+                                   !own.in_solid && !own.clips && !object.clip->halves.empty();
+        if (may_be_unseen) {
+            clips_.push_back(
+                {object.clip, object.clips, scene_.shapes.size(), encloses_space(object), object.at});
+        } else if (!add_clips(object, from, own)) {
             report(object.clip->missing);
         }
     }
@@ -104,9 +107,8 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
         case ObjectKind::refused:
             return;
         case ObjectKind::group:
-            if (object.is_merge) own.is_merge = true;
-            for (const ObjectPart& part : *object.parts) place(*part, own);
-            return;
+        case ObjectKind::solid:
+            return place_parts(object, own);
         case ObjectKind::light:
             return place_light(object, own);
         default:
@@ -118,7 +120,13 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
     } else {
         place_shape(object, own);
     }
-    note_interior(first, own);
+    if (own.in_solid || own.clips) finish_operand(object, own, first);
+    if (own.in_solid) return;
+    if (own.clips && scene_.shapes.size() > first) {
+        note_solid(first, own, object.at);
+    } else {
+        note_interior(first, own);
+    }
 }
 
 void SceneBuilder::place_shape(const Object& o, const Inherited& from) {
@@ -212,7 +220,8 @@ void SceneBuilder::place_shape(const Object& o, const Inherited& from) {
                 material, nullptr, o.at);
         }
     }
-    if (scene_.shapes.size() > first && scene_.materials[material].transmission > 0) {
+    const bool is_alone = !own.in_solid && !own.clips;
+    if (is_alone && scene_.shapes.size() > first && scene_.materials[material].transmission > 0) {
         glass_.push_back(first);
         glass_at_ = o.at;
     }

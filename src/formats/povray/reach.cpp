@@ -65,6 +65,15 @@ std::optional<double> own_reach(const Scene& scene, const Shape& shape, Vec3 d) 
                 most = std::max(most, dot(d, scene.polygon_vertices[p.first + i]));
             return most;
         }
+        case ShapeKind::solid: {  // at most that of all operands
+            double most = -1e300;
+            for (const Shape& operand : operands_of(scene, shape)) {
+                const auto far = reach(scene, operand, d);
+                if (!far) return std::nullopt;
+                most = std::max(most, *far);
+            }
+            return most;
+        }
         default:
             return std::nullopt;
     }

@@ -37,6 +37,11 @@ class SceneBuilder {
     // Where `uv_mapping` has u and v from: the x and y of points in the scene (measured), the vertices of a
     // mesh, the angles around a sphere, or a rule that glint has not.
     enum class UvSource : std::uint8_t { plane, vertices, sphere, unknown };
+    // What cuts an object off, and where it is.
+    struct PlacedClip {
+        ObjectPart object;
+        std::optional<Affine> map;
+    };
     // What an object has from the groups around it.
     struct Inherited {
         const Texture* texture = nullptr;
@@ -53,6 +58,8 @@ class SceneBuilder {
         std::optional<bool> hollow;  // the outermost `hollow`
         bool has_interior = false, is_hollow = false;
         std::int32_t body = 0;  // the number of an interior with several shapes
+        bool in_solid = false;  // it is an operand
+        std::shared_ptr<const CountedVector<PlacedClip>> clips;
     };
 
     // place.cpp
@@ -61,6 +68,13 @@ class SceneBuilder {
     SourcePlace shape_place(const Token& at);
     template <class Shape>
     void add(const Shape& shape, std::uint32_t material, const Affine* map, const Token& at);
+
+    // place_solid.cpp
+    void place_parts(const Object& object, const Inherited& own);
+    void finish_operand(const Object& object, const Inherited& own, std::size_t first);
+    void combine_from(std::size_t first, SolidOperation operation, const Token& at);
+    bool add_clips(const Object& object, const Inherited& from, Inherited& own);
+    void note_solid(std::size_t shape, const Inherited& own, const Token& at);
 
     // place_mesh.cpp
     void place_mesh(const Object& object, const Inherited& own);
@@ -101,6 +115,14 @@ class SceneBuilder {
         Vec3 position, to_light;
         Token at;
     };
+    // A shape that may be cut.
+    struct UncutShape {
+        std::shared_ptr<const Clip> clip;
+        CountedVector<ClipObject> objects;
+        std::size_t shape = 0;
+        bool has_inside = false;
+        Token at;
+    };
     double glass_of(const Inherited& own) const;
     void check_parallel_lights();
     void check_glass();
@@ -108,6 +130,7 @@ class SceneBuilder {
     void check_bailout();
     void check_no_reflection();
     void check_clips();
+    void cut(const UncutShape& uncut);
 
     LoadState& reading_;
     Scene& scene_;
@@ -130,7 +153,7 @@ class SceneBuilder {
     CountedVector<ParallelLight> parallel_lights_;
     std::optional<Token> high_bailout_;   // adc_bailout above 1/255
     std::optional<Token> no_reflection_;  // the first object with it
-    CountedVector<std::shared_ptr<const Clip>> clips_;
+    CountedVector<UncutShape> clips_;
     CountedVector<ShapeInteriors> interiors_;  // in the order of the shapes
     std::int32_t bodies_ = 0;
     CountedVector<std::uint32_t> glass_;  // shapes that refract

@@ -29,7 +29,7 @@ namespace glint::povray {
     X(box) X(cone) X(cylinder) X(difference) X(disc) X(intersection) X(light_source) X(merge) X(mesh) \
     X(mesh2) X(object) X(plane) X(polygon) X(smooth_triangle) X(torus) X(sphere) X(triangle) X(union)
 #define GLINT_POV_MODIFIER_WORDS(X) \
-    X(bounded_by) X(clipped_by) X(double_illuminate) X(finish) X(hierarchy) X(hollow) X(interior) \
+    X(bounded_by) X(clipped_by) X(cutaway_textures) X(double_illuminate) X(finish) X(hierarchy) X(hollow) X(interior) \
     X(interior_texture) X(inverse) X(material) X(matrix) X(no_bump_scale) X(no_image) X(no_radiosity) \
     X(no_reflection) X(no_shadow) X(normal) X(open) X(photons) X(pigment) X(radiosity) X(rotate) \
     X(scale) X(split_union) X(sturm) X(texture) X(transform) X(translate) X(uv_mapping)

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+// Groups, solids and what clipped_by cuts off. (Measured: tests/peers/solids.py)
+//   - A union in a solid keeps its inner surfaces, unless the solid is outside of it; a merge has none.
+//   - clipped_by cuts the shapes of a group one by one, and a solid as a whole. The cut is open, and what is
+//   cut
+//     off is not inside any more.
+#include <algorithm>
+#include <vector>
+
+#include "formats/povray/clip.h"
+#include "formats/povray/object_parser.h"
+#include "formats/povray/scene_builder.h"
+#include "math/transform.h"
+#include "scene/validate_solid.h"
+
+namespace glint::povray {
+namespace {
+
+bool is_open_kind(const Object& object) {
+    switch (object.kind) {
+        case ObjectKind::disc:
+        case ObjectKind::triangle:
+        case ObjectKind::smooth_triangle:
+        case ObjectKind::polygon:
+        case ObjectKind::mesh:
+        case ObjectKind::light:
+            return true;
+        case ObjectKind::cylinder:
+        case ObjectKind::cone:
+            return object.is_open;
+        default:
+            return false;
+    }
+}
+
+std::string_view name_of_open(ObjectKind kind) {
+    switch (kind) {
+        case ObjectKind::disc:
+            return "disc";
+        case ObjectKind::polygon:
+            return "polygon";
+        case ObjectKind::mesh:
+            return "mesh";
+        case ObjectKind::light:
+            return "light_source";
+        case ObjectKind::cylinder:
+        case ObjectKind::cone:
+            return "open";
+        default:
+            return "triangle";
+    }
+}
+
+bool has_parts(const Object& object) {
+    return object.kind == ObjectKind::group || object.kind == ObjectKind::solid;
+}
+
+// Whether light may pass surfaces of the object. texture: of those without one.
+bool may_be_clear(const Object& object, const Texture* texture) {
+    if (object.texture) texture = object.texture.get();
+    if (has_parts(object)) {
+        return std::any_of(object.parts->begin(), object.parts->end(),
+                           [&](const ObjectPart& part) { return may_be_clear(*part, texture); });
+    }
+    const Pigment& pigment = texture->pigment;
+    return pigment.image || pigment.color[3] != 0 || pigment.color[4] != 0;
+}
+
+bool has_clips(const Object& object) {
+    if (!object.clips.empty()) return true;
+    return has_parts(object) && std::any_of(object.parts->begin(), object.parts->end(),
+                                            [](const ObjectPart& part) { return has_clips(*part); });
+}
+
+}  // namespace
+
+void add_operand_errors(const Object& object, MissingList& missing) {
+    for (const Missing& each : object.missing) {
+        if (each.is_error) missing.add(each);
+    }
+    if (is_open_kind(object)) {
+        Missing open{name_of_open(object.kind), "in a solid", object.at};
+        open.is_error = true;
+        missing.add(open);
+    }
+    if (!has_parts(object)) return;
+    for (const ObjectPart& part : *object.parts) add_operand_errors(*part, missing);
+}
+
+bool encloses_space(const Object& object) {
+    MissingList errors;
+    add_operand_errors(object, errors);
+    return errors.empty();
+}
+
+void ObjectParser::check_operands(Object& solid) {
+    for (std::size_t i = 0; i < solid.parts->size(); ++i) {
+        const Object& part = *(*solid.parts)[i];
+        spend(part.count);
+        add_operand_errors(part, solid.missing);
+        // POV-Ray turns the part inside out, but not what cuts it.
+        if (solid.operation != SolidOperation::difference || i == 0 || !has_clips(part)) continue;
+        Missing clipped{"clipped_by", "of what is cut out", part.at};
+        clipped.is_error = true;
+        solid.missing.add(clipped);
+    }
+}
+
+// The shapes from `first` on become one.
+void SceneBuilder::combine_from(std::size_t first, SolidOperation operation, const Token& at) {
+    scene_.shape_texts.places.resize(first);
+    scene_.shape_texts.places.push_back(shape_place(at));
+    combine_last(scene_, operation, static_cast<std::uint32_t>(first), scene_.shapes[first].material);
+}
+
+// A shape, or a solid, that is an operand or is cut off.
+void SceneBuilder::finish_operand(const Object& object, const Inherited& own, std::size_t first) {
+    if (scene_.shapes.size() == first || stream_.failed()) return;
+    if (own.in_solid && object.is_inverse) combine_from(first, SolidOperation::inverse, object.at);
+    if (!own.clips) return;
+    for (const PlacedClip& clip : *own.clips) {
+        Inherited cutting;
+        cutting.texture = own.texture;
+        cutting.map = clip.map ? &*clip.map : nullptr;
+        cutting.in_solid = true;
+        const std::size_t before = scene_.shapes.size();
+        place(*clip.object, cutting);
+        if (scene_.shapes.size() == before) {  // a shape without an extent
+            scene_.shapes.resize(first);
+            scene_.shape_texts.places.resize(first);
+            return;
+        }
+    }
+    combine_from(first, SolidOperation::clip, object.at);
+}
+
+// A shape that has been placed whole.
+void SceneBuilder::cut(const UncutShape& uncut) {
+    const Texture unseen;
+    Inherited cutting;
+    cutting.texture = &unseen;
+    cutting.in_solid = true;
+    const std::size_t end = scene_.shapes.size();
+    std::vector<Shape> parts{scene_.shapes[uncut.shape]};
+    for (const ClipObject& clip : uncut.objects) place(*clip.object, cutting);
+    parts.insert(parts.end(), scene_.shapes.begin() + static_cast<std::ptrdiff_t>(end), scene_.shapes.end());
+    scene_.solids.push_back(combine(scene_, SolidOperation::clip, parts));
+    scene_.shapes.resize(end);
+    scene_.shape_texts.places.resize(end);
+    auto& solids = scene_.get<Solid>();
+    solids.push_back({static_cast<std::uint32_t>(scene_.solids.size() - 1)});
+    scene_.shapes[uncut.shape] = {ShapeKind::solid, static_cast<std::uint32_t>(solids.size() - 1),
+                                  parts[0].material, k_none};
+}
+
+// Clips of shapes that have an inside. False if one has none.
+bool SceneBuilder::add_clips(const Object& object, const Inherited& from, Inherited& own) {
+    if (!encloses_space(object)) return false;
+    auto all = make_counted<CountedVector<PlacedClip>>();
+    if (own.clips) *all = *own.clips;
+    for (const ClipObject& clip : object.clips) {
+        if (!encloses_space(*clip.object)) return false;
+        std::optional<Affine> map = object.map;
+        if (clip.map) {
+            const auto back = inverse(*clip.map);
+            if (!back || !map) return false;
+            map = object.map == clip.map ? std::nullopt : std::optional(compose(*map, *back));
+        }
+        if (from.map) map = map ? compose(*from.map, *map) : *from.map;
+        all->push_back({clip.object, map});
+    }
+    own.clips = std::move(all);
+    return true;
+}
+
+// The solid is whole.
+void SceneBuilder::note_solid(std::size_t index, const Inherited& own, const Token& at) {
+    Shape& shape = scene_.shapes[index];
+    if (shape.kind == ShapeKind::solid) {
+        auto& operands = scene_.solids[scene_.get<Solid>()[shape.index].solid].operands;
+        const bool refracts = std::any_of(operands.begin(), operands.end(), [&](const Shape& operand) {
+            return scene_.materials[operand.material].transmission > 0;
+        });
+        if (refracts) {
+            glass_.push_back(static_cast<std::uint32_t>(index));
+            glass_at_ = at;
+        }
+        const bool is_of_one = std::all_of(operands.begin(), operands.end(), [&](const Shape& operand) {
+            return operand.material == shape.material;
+        });
+        for (Shape& operand : operands) {
+            if (is_of_one) operand.material = k_none;
+        }
+    }
+    note_interior(index, own);
+}
+
+void SceneBuilder::place_parts(const Object& object, const Inherited& own) {
+    const bool is_solid = object.kind == ObjectKind::solid;
+    if (is_solid && std::any_of(object.missing.begin(), object.missing.end(),
+                                [](const Missing& missing) { return missing.is_error; }))
+        return;
+    Inherited parts = own;
+    const bool is_clear_merge = object.is_merge && !own.clips && may_be_clear(object, own.texture);
+    const bool makes_solid = is_solid || own.in_solid || (is_clear_merge && encloses_space(object));
+    if (makes_solid) {
+        parts.in_solid = true;
+    } else if (object.is_merge) {
+        parts.is_merge = true;
+    }
+    if (is_solid) parts.clips.reset();
+    const std::size_t first = scene_.shapes.size();
+    bool is_empty = false;
+    for (std::size_t i = 0; i < object.parts->size(); ++i) {
+        const Object& part = *(*object.parts)[i];
+        const std::size_t before = scene_.shapes.size();
+        // Surfaces of what cuts have the texture of what is cut.
+        if (object.is_cutaway && i == 1 && object.parts->front()->texture) {
+            parts.texture = object.parts->front()->texture.get();
+            parts.texture_map = own.map;
+        }
+        place(part, parts);
+        const bool decides = is_solid && (i == 0 || object.operation == SolidOperation::intersection);
+        if (decides) is_empty |= scene_.shapes.size() == before;
+    }
+    if (stream_.failed() || scene_.shapes.size() == first) return;
+    if (!makes_solid) return;
+    if (is_empty) {
+        scene_.shapes.resize(first);
+        scene_.shape_texts.places.resize(first);
+        return;
+    }
+    const SolidOperation group = object.is_merge ? SolidOperation::merge : SolidOperation::unite;
+    combine_from(first, is_solid ? object.operation : group, object.at);
+    Inherited whole = own;
+    if (!is_solid) whole.clips.reset();
+    finish_operand(object, whole, first);
+    if (!own.in_solid) note_solid(first, own, object.at);
+}
+
+}  // namespace glint::povray
