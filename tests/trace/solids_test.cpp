@@ -169,6 +169,25 @@ TEST(Solids, FlushCutsLeaveNoSkin) {
     EXPECT_NEAR(hit.normal.z, 1, 1e-12);
 }
 
+// Walls much thinner than 1e-9 of the ray's origin.
+TEST(Solids, RaysFromFarAwayMeetThinParts) {
+    Scene scene;
+    scene.add(Box{{-1, -1, -1}, {1, 1, 1}});
+    scene.add(Box{{-0.99, -0.99, -0.99}, {0.99, 0.99, 0.99}});
+    combine_last(scene, SolidOperation::difference, 0);
+    const std::optional<World> world = make_world(scene);
+    for (const double distance : {1e3, 1e6, 1e9}) {
+        const Vec3 o{0.3, 0.2, distance}, d{0, 0, -distance};
+        const SurfaceHit outer = nearest_surface(*world, o, d);
+        ASSERT_TRUE(outer.exists);
+        EXPECT_NEAR(distance - outer.t * distance, 1, 1e-15 * distance);
+        Rays rays;
+        rays.push(o, d, (distance - 0.995) / distance);
+        const Hits inner = nearest_hits(available_kernels().front(), *world, rays, 64);
+        EXPECT_NEAR(distance - inner.t[0] * distance, 0.99, 1e-15 * distance);
+    }
+}
+
 TEST(Solids, TheOutsideOfAShapeIsASolid) {
     Scene scene;
     scene.add(Sphere{{0, 0, 0}, 1});

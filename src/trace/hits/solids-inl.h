@@ -2,9 +2,9 @@
 // Rays and solids. They extend the hit rule:
 //   The crossings of a solid are those of its operands, along the whole line; those of an operand count if
 //   the line meets its padded box by the slab expression. Crossings that follow one within 1e-9 of the size
-//   of its coordinates are one event with it. A ray hits the solid at an event at which the solid's inside
-//   begins or ends, by the states of all operands before and after it (solid_states-inl.h). t is clamped to
-//   the interval of the solid's padded box.
+//   of its point's coordinates, and 2^-44 of those of the ray's origin, are one event with it. A ray hits
+//   the solid at an event at which the solid's inside begins or ends, by the states of all operands before
+//   and after it (solid_states-inl.h). t is clamped to the interval of the solid's padded box.
 #if defined(GLINT_TRACE_SOLIDS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_SOLIDS_INL_H_
 #undef GLINT_TRACE_SOLIDS_INL_H_
@@ -23,8 +23,9 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Crossings within this part of the size of their coordinates are one event.
-inline constexpr double k_event_size = 1e-9;
+/// Crossings within these parts of the coordinates of their point, and of the origin, are one event. The
+/// second covers the rounding errors of rays from far away, which are some 2^-50 of their origin.
+inline constexpr double k_event_size = 1e-9, k_event_error = 0x1p-44;
 
 /// The crossings of a vector of rays with one operand.
 struct OperandCrossings {
@@ -105,14 +106,16 @@ class SolidLanes {
     /// Accepts the hits of the rays `bits`, by entry and exit of the solid's box.
     void test(std::uint32_t bits, Doubles entry, Doubles exit) {
         const Doubles t_min = load(tests_.rays.t_min + ray_number_);
-        const Doubles scale = max_abs(ray_.origin) / max_abs(ray_.direction);
+        const Doubles size = max_abs(ray_.direction),
+                      error = max_abs(ray_.origin) * Doubles(k_event_error);
         Doubles last(-k_infinity);
         set_states(last, before_);
         while (true) {
             const Doubles next = next_crossing(last);
             bits &= to_bits(next < Doubles(k_infinity));
             if (bits == 0) return;
-            last = next + (scale + abs(next)) * Doubles(k_event_size);
+            const Doubles reach = max_abs(ray_.origin + ray_.direction * next);
+            last = next + (reach * Doubles(k_event_size) + error) / size;
             set_states(last, after_);
             const Doubles t = min(max(next, entry), exit),
                           nearest = load(tests_.result.nearest.t + ray_number_);
