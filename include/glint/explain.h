@@ -141,7 +141,8 @@ inline constexpr std::size_t k_max_explained_holes = 16;
 struct ExplainedHit {
     std::uint32_t shape = k_none;     ///< in Scene::shapes
     std::uint32_t material = k_none;  ///< in Scene::materials; k_none: the default material
-    std::uint32_t element = 0;        ///< the part of the shape: the triangle of a polygon or mesh, from 0
+    std::uint32_t element = 0;        ///< the part of the shape: the triangle of a polygon or mesh, the
+                                      ///< operand of a solid, from 0
     std::optional<Color> color;       ///< the shape's own color, in place of the material's
     std::optional<ExplainedTexture> texture;  ///< if the material has one that shows something here
     Vec3 point, normal, to_eye;               ///< N as used for shading, unit; V

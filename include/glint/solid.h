@@ -34,9 +34,9 @@ inline constexpr int k_max_solid_depth = 100;
 /// cylinder or cone with caps, or a plane, whose inside is opposite to its normal.
 ///
 /// A ray meets the solid where its inside begins or ends. Crossings of operands within 1e-9 of each other,
-/// relative to the coordinates there, are one: there is no surface where two faces coincide and the inside is the
-/// same on both sides. The surface has the operand's material and normal; the normal is turned if the operand
-/// counts by its outside.
+/// relative to the coordinates there, are one: there is no surface where two faces coincide and the inside is
+/// the same on both sides. The surface has the operand's material and normal; the normal is turned if the
+/// operand counts by its outside.
 struct SolidTree {
     /// `index` as of the scene's shapes; a transform is applied before the solid's own; material k_none: the
     /// solid's.

@@ -125,6 +125,10 @@ class Tree {
                                                   ? std::string()
                                                   : "; P in the mesh's coordinates " + vec(hit.mesh_point)));
         }
+        const auto operands = operands_of(scene_, scene_.shapes[hit.shape]);
+        if (hit.element < operands.size())
+            text_.line(depth + 1, fmt::format("the surface of its operand {} of {}, a {}", hit.element + 1,
+                                              operands.size(), to_string(operands[hit.element].kind)));
         if (hit.texture) text_.line(depth + 1, texture_text(scene_, *hit.texture));
         text_.line(depth + 1, material_text(scene_, hit));
         const Shading shading = scene_.settings.shading;

@@ -64,6 +64,11 @@ Json shape_json(const Scene& scene, std::uint32_t index) {
 Json hit_shape_json(const Scene& scene, const ExplainedHit& hit) {
     Json item = shape_json(scene, hit.shape);
     if (hit.color) item["color"] = to_json(*hit.color);
+    const auto operands = operands_of(scene, scene.shapes[hit.shape]);
+    if (hit.element < operands.size()) {
+        item["operand"] = hit.element;
+        item["operand_kind"] = to_string(operands[hit.element].kind);
+    }
     return item;
 }
 

@@ -106,8 +106,7 @@ class SolidLanes {
     /// Accepts the hits of the rays `bits`, by entry and exit of the solid's box.
     void test(std::uint32_t bits, Doubles entry, Doubles exit) {
         const Doubles t_min = load(tests_.rays.t_min + ray_number_);
-        const Doubles size = max_abs(ray_.direction),
-                      error = max_abs(ray_.origin) * Doubles(k_event_error);
+        const Doubles size = max_abs(ray_.direction), error = max_abs(ray_.origin) * Doubles(k_event_error);
         Doubles last(-k_infinity);
         set_states(last, before_);
         while (true) {
