@@ -41,6 +41,7 @@ void drop_shapes(Scene& scene) {
     scene.transforms = {};
     scene.polygon_vertices = {};
     scene.meshes = {};
+    scene.solids = {};
     scene.parameters = {};
     scene.shape_texts = {};
 }

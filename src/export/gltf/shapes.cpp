@@ -223,6 +223,8 @@ void ShapeMeshes::add(std::uint32_t index) {
         case ShapeKind::plane:
             losses_.add("infinite planes", "each is a large square");
             return place(index, nullptr, {});
+        case ShapeKind::solid:
+            return losses_.add("solids, which are combinations of shapes", "they are left out");
         case ShapeKind::triangle:
         case ShapeKind::smooth_triangle:
         case ShapeKind::polygon:
