@@ -156,6 +156,40 @@ TEST(Solids, ARayMeetsTheFirstChangeOfTheInside) {
     EXPECT_GT(starts_inside, 800);
 }
 
+// Packets try the last occluder first: that is the solid, not the operand.
+TEST(Solids, OccludeWhereTheyAreHit) {
+    Random random(4003);
+    int occluded = 0, free = 0;
+    for (int round = 0; round < 100; ++round) {
+        Scene scene;
+        for (int i = 0; i < 3; ++i) {
+            const Part solid = random_solid(scene, random, 2 + below(random, 4));
+            scene.shapes.push_back(solid.shape);
+        }
+        const std::optional<World> world = make_world(scene);
+        ASSERT_TRUE(world);
+        Rays rays;
+        const Vec3 light = unit_direction(random) * 6;
+        for (int i = 0; i < 200; ++i) {
+            const Vec3 target = i % 2 == 0 ? point_in_cube(random, 1.5) : Vec3{0, 0, 0};
+            rays.push(light, target - light, 0, 1e9);
+        }
+        for (const Kernels& kernels : available_kernels()) {
+            const Hits hits = nearest_hits(kernels, *world, rays, 64);
+            for (const int packet : {1, 64}) {
+                const std::vector<std::uint8_t> any = any_hits(kernels, *world, rays, packet);
+                for (int i = 0; i < rays.size(); ++i) {
+                    const bool is_hit = hits.slot[static_cast<std::size_t>(i)] != k_none;
+                    EXPECT_EQ(any[static_cast<std::size_t>(i)] != 0, is_hit);
+                    ++(is_hit ? occluded : free);
+                }
+            }
+        }
+    }
+    EXPECT_GT(occluded, 10000);
+    EXPECT_GT(free, 10000);
+}
+
 // Of a rounded die: faces of operands that coincide leave no skin, and tangents no surface.
 TEST(Solids, FlushCutsLeaveNoSkin) {
     Scene scene;

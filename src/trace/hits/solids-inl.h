@@ -91,8 +91,9 @@ class SolidParts {
 /// A vector of rays and their crossings with a solid.
 class SolidLanes {
   public:
-    SolidLanes(const ShapeTests& tests, const RayPacket& packet, const SolidParts& parts, int i)
-        : tests_(tests), parts_(parts), ray_number_(i), ray_(tests.ray_lanes(i)) {
+    SolidLanes(const ShapeTests& tests, const RayPacket& packet, std::uint32_t slot, const SolidParts& parts,
+               int i)
+        : tests_(tests), slot_(slot), parts_(parts), ray_number_(i), ray_(tests.ray_lanes(i)) {
         if (parts.size() > k_few) {
             many_.resize(parts.size() * k_stride * k_most);
             many_counts_.resize(parts.size());
@@ -194,12 +195,15 @@ class SolidLanes {
             result.accept(ray, t[lane],
                           tests_.geometry.surface_of(parts_.solid().slots[parts_.operand(part)]));
             // Of several operands, some may let light pass.
-            if (result.occluded == nullptr || result.occluded[ray] != 0) done |= 1u << lane;
+            if (result.occluded != nullptr && result.occluded[ray] == 0) continue;
+            done |= 1u << lane;
+            if (result.occluded != nullptr) *result.occluder = slot_;  // operands occlude only together
         }
         return done;
     }
 
     const ShapeTests& tests_;
+    const std::uint32_t slot_;  // of the solid
     const SolidParts& parts_;
     const int ray_number_;  // of the first, in the chunk
     const Ray<Doubles> ray_;
@@ -234,7 +238,7 @@ void ShapeTests::solids_leaf(const ShapeClass& shapes, const RayPacket& packet, 
             for (int c = 0; c < lanes; c += lane_count<double>()) {
                 const std::uint32_t here = bits >> c & first_bits(lane_count<double>());
                 if (here == 0) continue;
-                SolidLanes(*this, packet, parts, packet.first + r + c)
+                SolidLanes(*this, packet, shape, parts, packet.first + r + c)
                     .test(here, widen(entry + c), widen(exit + c));
             }
         }

@@ -128,7 +128,9 @@ std::vector<float> find_slot_colors(std::span<const ShapeColor> colors, const Pa
     resize_in_huge_pages(columns, 3 * (std::size_t{geometry.count} + k_ray_padding), threads);
     parallel_chunks(geometry.count, threads, [&](std::size_t slot) {
         const std::uint32_t shape = geometry.shape_index[slot];
-        const ShapeColor color = shape < colors.size() ? colors[shape] : ShapeColor{};
+        const bool has_color =
+            shape < colors.size() && !geometry.has_own_material(static_cast<std::uint32_t>(slot));
+        const ShapeColor color = has_color ? colors[shape] : ShapeColor{};
         float* to = columns.data() + 3 * slot;
         to[0] = color.r, to[1] = color.g, to[2] = color.b;
     });
