@@ -27,14 +27,16 @@ _POSITIONAL: Dict[Any, Tuple[str, ...]] = {
 _SHAPES = (
     _glint.Sphere, _glint.Plane, _glint.Cylinder, _glint.Cone, _glint.Disc, _glint.Box, _glint.Triangle,
     _glint.SmoothTriangle, _glint.Polygon, _glint.Mesh, _glint.Torus,
+    _glint.Solid,
 )  # fmt: skip
-_REQUIRED = {_glint.Polygon: ("vertices",), _glint.Mesh: ("vertices", "triangles")}
+_REQUIRED = {_glint.Polygon: ("vertices",), _glint.Mesh: ("vertices", "triangles"), _glint.Solid: ("operation", "parts")}
 # Types that the extension module converts without a message of its own.
 _TYPES: Dict[str, Any] = {
     "name": str,
     "file": str,
     "kind": str,
     "method": str,
+    "operation": str,
     "projection": str,
     "fov_axis": str,
     "material": Optional[_glint.Material],
@@ -62,6 +64,8 @@ def _usual(cls: Any) -> Any:
         return cls(np.zeros((1, 1, 3), np.uint8))
     if cls is _glint.Polygon:
         return cls([(0, 0, 0), (1, 0, 0), (0, 1, 0)])
+    if cls is _glint.Solid:
+        return cls("merge", [_glint.Sphere()])
     if cls is _glint.Mesh:
         return None
     return cls()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Types of the extension module. The fields of lights, materials and cameras are those of src/scene/*_fields.h;
 # a test compares this file with the module.
-from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -16,6 +16,7 @@ from ._words import (
     OcclusionMethod,
     Projection,
     Severity,
+    SolidOperation,
     TextureAlpha,
     TextureEncoding,
     TextureFilter,
@@ -52,6 +53,10 @@ class _ShapeColorField:
 class _PointsField:
     def __get__(self, owner: object, kind: Optional[type] = ...) -> npt.NDArray[np.float64]: ...
     def __set__(self, owner: object, value: Any) -> None: ...
+
+class _PartsField:
+    def __get__(self, owner: object, kind: Optional[type] = ...) -> Tuple[Shape, ...]: ...
+    def __set__(self, owner: object, value: Iterable[Shape]) -> None: ...
 
 class _MatrixField:
     def __get__(self, owner: object, kind: Optional[type] = ...) -> Optional[npt.NDArray[np.float64]]: ...
@@ -380,6 +385,10 @@ class Shape:
     name: str
     @property
     def kind(self) -> str: ...
+    def __sub__(self, other: Shape) -> Solid: ...
+    def __and__(self, other: Shape) -> Solid: ...
+    def __or__(self, other: Shape) -> Solid: ...
+    def __invert__(self) -> Solid: ...
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> Shape: ...
     def __deepcopy__(self, memo: Dict[Any, Any]) -> Shape: ...
@@ -538,6 +547,20 @@ class Polygon(Shape):
         name: str = ...,
     ) -> None: ...
     vertices: _PointsField
+
+class Solid(Shape):
+    def __init__(
+        self,
+        operation: SolidOperation,
+        parts: Iterable[Shape],
+        *,
+        material: Optional[Material] = ...,
+        color: Optional[ColorLike] = ...,
+        transform: Any = ...,
+        name: str = ...,
+    ) -> None: ...
+    operation: SolidOperation
+    parts: _PartsField
 
 class Mesh(Shape):
     def __init__(

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scene_state.h"
 
 namespace glint::python {
@@ -153,7 +155,8 @@ bool equal(SceneState& a, SceneState& b) {
             return shape.transform == k_none ? Affine{} : scene.transforms[shape.transform];
         };
         if (s.kind != t.kind || s.material != t.material || x.shape_color(i) != y.shape_color(i) ||
-            !(transform(x, s) == transform(y, t)) || !read_shape(x, i)->same(*read_shape(y, i)))
+            !(transform(x, s) == transform(y, t)) || !read_shape(x, s)->same(*read_shape(y, t)) ||
+            !std::ranges::equal(operands_of(x, s), operands_of(y, t), {}, &Shape::material, &Shape::material))
             return false;
     }
     return true;

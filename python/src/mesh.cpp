@@ -165,18 +165,20 @@ std::uint32_t index_in(Scene& scene, const std::shared_ptr<const MeshData>& data
 
 }  // namespace
 
-bool MeshBox::is_shape(const Scene& scene, std::uint32_t index) const {
+bool MeshBox::is_shape(const Scene& scene, std::uint32_t index, std::span<const std::uint32_t>) const {
     const Shape& shape = scene.shapes[index];
     return shape.kind == ShapeKind::mesh && scene.meshes[scene.get<Mesh>()[shape.index].mesh] == data;
 }
-void MeshBox::write(Scene& scene, std::uint32_t index) const {
-    append(scene);
+void MeshBox::write(Scene& scene, std::uint32_t index, std::span<const std::uint32_t>) const {
+    append(scene, {});
     const std::uint32_t last = scene.shapes.back().index;
     scene.shapes.pop_back();
     scene.shapes[index].kind = ShapeKind::mesh;
     scene.shapes[index].index = last;
 }
-void MeshBox::append(Scene& scene) const { scene.add(Mesh{index_in(scene, data)}); }
+void MeshBox::append(Scene& scene, std::span<const std::uint32_t>) const {
+    scene.add(Mesh{index_in(scene, data)});
+}
 std::string MeshBox::text() const {
     return fmt::format("<{} vertices, {} triangles>", data->vertex_count(), data->triangles.size());
 }

@@ -16,9 +16,11 @@ struct MeshBox : ShapeBox {
         data = scene.meshes[scene.get<Mesh>()[shape.index].mesh];
     }
     ShapeKind kind() const override { return ShapeKind::mesh; }
-    bool is_shape(const Scene& scene, std::uint32_t index) const override;
-    void write(Scene& scene, std::uint32_t index) const override;
-    void append(Scene& scene) const override;
+    bool is_shape(const Scene& scene, std::uint32_t index,
+                  std::span<const std::uint32_t> part_materials) const override;
+    void write(Scene& scene, std::uint32_t index,
+               std::span<const std::uint32_t> part_materials) const override;
+    void append(Scene& scene, std::span<const std::uint32_t> part_materials) const override;
     std::shared_ptr<ShapeBox> copy() const override { return std::make_shared<MeshBox>(*this); }
     std::string text() const override;
     bool same(const ShapeBox& other) const override;

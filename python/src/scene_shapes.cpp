@@ -32,7 +32,7 @@ std::uint32_t count_before(const std::vector<std::uint32_t>& numbers, std::uint3
 std::shared_ptr<ShapeBox> SceneState::shape(std::uint32_t index) {
     auto& box = shapes_[index];
     if (!box) {
-        box = read_shape(*scene_, index);
+        box = read_shape(*scene_, scene_->shapes[index]);
         read_look(*box, index);
         box->name = scene_->shape_texts.name(index);
     }
@@ -45,12 +45,17 @@ void SceneState::read_look(ShapeBox& box, std::uint32_t index) {
     box.color = scene_->shape_color(index);
     box.transform.reset();
     if (shape.transform != k_none) box.transform = scene_->transforms[shape.transform];
+    std::vector<std::shared_ptr<MaterialBox>> of_parts;
+    for (const Shape& part : operands_of(*scene_, shape))
+        of_parts.push_back(part.material == k_none ? nullptr : material(part.material));
+    box.set_part_materials(of_parts);
 }
 
 std::uint32_t SceneState::add(const std::shared_ptr<ShapeBox>& shape) {
     const std::uint32_t material = index_of(shape->material);
+    const std::vector<std::uint32_t> of_parts = indices_of(shape->part_materials());
     Scene& scene = own();
-    shape->append(scene);
+    shape->append(scene, of_parts);
     const auto index = static_cast<std::uint32_t>(scene.shapes.size() - 1);
     scene.shapes[index].material = material;
     scene.set_shape_color(index, shape->color);

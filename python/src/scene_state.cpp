@@ -138,6 +138,14 @@ std::uint32_t SceneState::index_of(const std::shared_ptr<MaterialBox>& material)
     return index;
 }
 
+std::vector<std::uint32_t> SceneState::indices_of(
+    const std::vector<std::shared_ptr<MaterialBox>>& materials) {
+    std::vector<std::uint32_t> indices;
+    indices.reserve(materials.size());
+    for (const auto& material : materials) indices.push_back(index_of(material));
+    return indices;
+}
+
 std::uint32_t SceneState::add(const std::shared_ptr<TextureBox>& texture) { return index_of(texture); }
 
 std::uint32_t SceneState::index_of(const std::shared_ptr<TextureBox>& texture) {

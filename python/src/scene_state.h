@@ -115,6 +115,7 @@ class SceneState {
     void sync_shapes();
     std::uint32_t index_of(const std::shared_ptr<MaterialBox>& material);
     std::uint32_t index_of(const std::shared_ptr<TextureBox>& texture);
+    std::vector<std::uint32_t> indices_of(const std::vector<std::shared_ptr<MaterialBox>>& materials);
     /// With the number of its texture, which is added if the scene does not have it.
     Material whole(const MaterialBox& material);
     void write_transform(Shape& shape, const ShapeBox& box);

@@ -219,8 +219,11 @@ void set_transforms(SceneState& state, const py::array_t<std::int64_t>& which, c
     const bool is_one = value.is_none() || maps.size() != numbers.size();
     state.edit_shapes(numbers, [&](Scene& scene) {
         std::vector<std::uint32_t> uses(scene.transforms.size());
-        for (const Shape& shape : scene.shapes)
+        for (const Shape& shape : scene.shapes) {
             if (shape.transform != k_none) ++uses[shape.transform];
+            for (const Shape& part : operands_of(scene, shape))
+                if (part.transform != k_none) ++uses[part.transform];
+        }
         std::size_t free = 0;
         for (std::size_t i = 0; i < numbers.size(); ++i) {
             const Affine& map = maps[is_one ? 0 : i];

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <concepts>
+#include <unordered_map>
 
 #include "base/text.h"
 #include "mesh.h"
 #include "shape_visitors.h"
+#include "solid.h"
 
 namespace glint::python {
 namespace {
@@ -18,11 +20,11 @@ template <class T> struct ShapeOf : ShapeBox {
 
     void read(const Scene& scene, const Shape& shape) override { value = scene.get<T>()[shape.index]; }
     ShapeKind kind() const override { return ShapeKindOf<T>::value; }
-    bool is_shape(const Scene& scene, std::uint32_t index) const override {
+    bool is_shape(const Scene& scene, std::uint32_t index, std::span<const std::uint32_t>) const override {
         const Shape& shape = scene.shapes[index];
         return shape.kind == kind() && equal(scene.get<T>()[shape.index], value);
     }
-    void write(Scene& scene, std::uint32_t index) const override {
+    void write(Scene& scene, std::uint32_t index, std::span<const std::uint32_t>) const override {
         Shape& shape = scene.shapes[index];
         if (shape.kind == kind()) {
             scene.get<T>()[shape.index] = value;
@@ -32,7 +34,7 @@ template <class T> struct ShapeOf : ShapeBox {
         shape.kind = kind();
         shape.index = static_cast<std::uint32_t>(scene.get<T>().size() - 1);
     }
-    void append(Scene& scene) const override { scene.add(value); }
+    void append(Scene& scene, std::span<const std::uint32_t>) const override { scene.add(value); }
     std::shared_ptr<ShapeBox> copy() const override { return std::make_shared<ShapeOf>(*this); }
     std::string text() const override {
         std::string text;
@@ -60,21 +62,21 @@ template <> struct ShapeOf<Polygon> : ShapeBox {
         vertices.assign(first, first + polygon.count);
     }
     ShapeKind kind() const override { return ShapeKind::polygon; }
-    bool is_shape(const Scene& scene, std::uint32_t index) const override {
+    bool is_shape(const Scene& scene, std::uint32_t index, std::span<const std::uint32_t>) const override {
         const Shape& shape = scene.shapes[index];
         if (shape.kind != ShapeKind::polygon) return false;
         const Polygon& polygon = scene.get<Polygon>()[shape.index];
         return polygon.count == vertices.size() &&
                std::equal(vertices.begin(), vertices.end(), scene.polygon_vertices.begin() + polygon.first);
     }
-    void write(Scene& scene, std::uint32_t index) const override {
-        append(scene);
+    void write(Scene& scene, std::uint32_t index, std::span<const std::uint32_t>) const override {
+        append(scene, {});
         const std::uint32_t last = scene.shapes.back().index;
         scene.shapes.pop_back();
         scene.shapes[index].kind = ShapeKind::polygon;
         scene.shapes[index].index = last;
     }
-    void append(Scene& scene) const override {
+    void append(Scene& scene, std::span<const std::uint32_t>) const override {
         const auto first = static_cast<std::uint32_t>(scene.polygon_vertices.size());
         scene.polygon_vertices.insert(scene.polygon_vertices.end(), vertices.begin(), vertices.end());
         scene.add(Polygon{first, static_cast<std::uint32_t>(vertices.size())});
@@ -91,7 +93,9 @@ template <> struct ShapeOf<Polygon> : ShapeBox {
     }
 };
 
-template <class T> using BoxOf = std::conditional_t<std::same_as<T, Mesh>, MeshBox, ShapeOf<T>>;
+template <class T> struct BoxFor { using type = ShapeOf<T>; };
+template <> struct BoxFor<Mesh> { using type = MeshBox; };
+template <> struct BoxFor<Solid> { using type = SolidBox; };
 
 void set_material(ShapeBox& shape, const py::handle& material) {
     shape.material = material.is_none() ? nullptr : material.cast<std::shared_ptr<MaterialBox>>();
@@ -186,12 +190,13 @@ std::string describe(const ShapeBox& shape, const std::string& class_name) {
     return text + ")";
 }
 
-bool same_material(const std::shared_ptr<MaterialBox>& a, const std::shared_ptr<MaterialBox>& b) {
-    if (!a || !b) return a == b;
-    return same(*a, *b);
-}
-
 }  // namespace
+
+bool same_look(const ShapeBox& a, const ShapeBox& b) {
+    if (a.color != b.color || a.transform != b.transform) return false;
+    if (!a.material || !b.material) return a.material == b.material;
+    return same(*a.material, *b.material);
+}
 
 bool set_common(ShapeBox& shape, const std::string& name, const py::handle& value) {
     if (name == "material") {
@@ -208,14 +213,13 @@ bool set_common(ShapeBox& shape, const std::string& name, const py::handle& valu
     return true;
 }
 
-std::shared_ptr<ShapeBox> read_shape(const Scene& scene, std::uint32_t index) {
-    const Shape& shape = scene.shapes[index];
+std::shared_ptr<ShapeBox> read_shape(const Scene& scene, const Shape& shape) {
     switch (shape.kind) {
-#define GLINT_KIND(Type, word)                      \
-    case ShapeKind::word: {                         \
-        auto box = std::make_shared<BoxOf<Type>>(); \
-        box->read(scene, shape);                    \
-        return box;                                 \
+#define GLINT_KIND(Type, word)                             \
+    case ShapeKind::word: {                                \
+        auto box = std::make_shared<BoxFor<Type>::type>(); \
+        box->read(scene, shape);                           \
+        return box;                                        \
     }
         GLINT_SHAPES(GLINT_KIND)
 #undef GLINT_KIND
@@ -251,8 +255,7 @@ void bind_shapes(py::module_& m) {
              [](const ShapeBox& a, const py::object& other) {
                  if (!py::isinstance<ShapeBox>(other)) return false;
                  const auto& b = other.cast<const ShapeBox&>();
-                 return a.same(b) && a.name == b.name && a.color == b.color && a.transform == b.transform &&
-                        same_material(a.material, b.material);
+                 return a.same(b) && a.name == b.name && same_look(a, b);
              })
         .def("__repr__",
              [](const py::object& self) {
@@ -264,7 +267,17 @@ void bind_shapes(py::module_& m) {
             "__deepcopy__",
             [](const ShapeBox& s, const py::dict&) {
                 auto copy = s.copy();
-                if (copy->material) copy->material = deep_copy(*copy->material);
+                std::unordered_map<const MaterialBox*, std::shared_ptr<MaterialBox>> copies{
+                    {nullptr, nullptr}};
+                const auto replace = [&](std::shared_ptr<MaterialBox>& material) {
+                    const auto [found, is_new] = copies.try_emplace(material.get());
+                    if (is_new) found->second = deep_copy(*material);
+                    material = found->second;
+                };
+                replace(copy->material);
+                auto of_parts = copy->part_materials();
+                for (auto& material : of_parts) replace(material);
+                copy->set_part_materials(of_parts);
                 return copy;
             },
             py::arg("memo"));
@@ -283,6 +296,7 @@ void bind_shapes(py::module_& m) {
                       "Torus(center, axis, radius, tube): the points at distance `tube` from a circle of "
                       "that radius around the axis");
     bind_mesh(m);
+    bind_solid(m, cls);
 }
 
 }  // namespace glint::python

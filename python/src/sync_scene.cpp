@@ -86,14 +86,15 @@ void SceneState::sync_lights() {
 void SceneState::sync_shapes() {
     for (const auto& [index, box] : shapes_) {
         const std::uint32_t material = index_of(box->material);
+        const std::vector<std::uint32_t> of_parts = indices_of(box->part_materials());
         if (scene_->shape_texts.name(index) != box->name) set_name(own().shape_texts, index, box->name);
         const Shape& shape = scene_->shapes[index];
         const bool moved = !same_affine(transform_of(*scene_, shape), box->transform);
         if (!moved && shape.material == material && scene_->shape_color(index) == box->color &&
-            box->is_shape(*scene_, index))
+            box->is_shape(*scene_, index, of_parts))
             continue;
         Scene& scene = own();
-        box->write(scene, index);
+        box->write(scene, index, of_parts);
         scene.shapes[index].material = material;
         scene.set_shape_color(index, box->color);
         write_transform(scene.shapes[index], *box);
