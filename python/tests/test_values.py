@@ -38,6 +38,8 @@ VALUES = [
     glint.Triangle(VERTICES),
     glint.SmoothTriangle(VERTICES, [(0, 0, 1)] * 3),
     glint.Polygon([*VERTICES, (-1, 0, 0)]),
+    glint.Sphere((1, 2, 3), 0.1, material=GOLD, transform=MATRIX) - (glint.Box() & ~glint.Torus()),
+    glint.Solid("clip", [glint.Sphere(), glint.Plane()], material=GOLD, color=(1, 0, 0), transform=MATRIX, name="bowl"),
 ]
 TEXTURE = glint.Texture(
     np.arange(24, dtype=np.uint8).reshape(2, 4, 3), mapping="planar", wrap_u="clamp", world_from_texture=MATRIX, name="t"
@@ -155,6 +157,7 @@ def test_signatures_have_names_and_defaults():
         (_words.TextureMix, lambda w: glint.Texture(TEXTURE.image, mix=w)),
         (_words.TextureEncoding, lambda w: glint.Texture(TEXTURE.image, encoding=w)),
         (_words.TextureAlpha, lambda w: glint.Texture(TEXTURE.image, alpha=w)),
+        (_words.SolidOperation, lambda w: glint.Solid(w, [glint.Sphere()])),
         (_words.PictureFormat, lambda w: glint.Image([[1.0]]).to_bytes(w)),
     ],
 )
