@@ -183,6 +183,10 @@ enum class FogKind : std::uint8_t { linear, exp, exp2 };
 /// exp(-(density (d - start))^2); at least `transmit` and 0, at most 1. The conventions fog_distance,
 /// fog_background and fog_extent say what d is, whether the background is in the fog, and whether the insides
 /// of objects are. (POV-Ray, Tachyon; measured)
+///
+/// exp with falloff > 0 is fog on the ground: density (d - start) is the integral, from `start` to d along
+/// the ray, of density / (1 + z^2), where z = (y - height) / falloff, at least 0, and y is the coordinate
+/// along `up`. (POV-Ray's fog_type 2; measured)
 struct Fog {
     FogKind kind = FogKind::exp;
     Color color{0.5, 0.5, 0.5};
@@ -190,9 +194,14 @@ struct Fog {
     double start = 0;      ///< in world units
     double end = 100;      ///< linear: above start
     double transmit = 0;   ///< the least f, 0 to 1
+    double falloff = 0;    ///< exp; above 0: the density halves from `height` to this much above; world units
+    double height = 0;     ///< exp with a falloff: below it the fog has its whole density; world units
+    Vec3 up{0, 1, 0};      ///< exp with a falloff: away from the ground; any length but 0
 
     // The fields that are used.
     constexpr bool has_density() const { return kind != FogKind::linear; }
+    constexpr bool has_falloff() const { return kind == FogKind::exp; }
+    constexpr bool is_on_ground() const { return has_falloff() && falloff > 0; }
     constexpr bool has_end() const { return kind == FogKind::linear; }
     friend bool operator==(const Fog&, const Fog&) = default;
 };

@@ -366,6 +366,9 @@ class Fog:
         start: float = ...,
         end: float = ...,
         transmit: float = ...,
+        falloff: float = ...,
+        height: float = ...,
+        up: VectorLike = ...,
     ) -> None: ...
     kind: FogKind
     color: _ColorField
@@ -373,6 +376,9 @@ class Fog:
     start: float
     end: float
     transmit: float
+    falloff: float
+    height: float
+    up: _VectorField
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> Fog: ...
     def __deepcopy__(self, memo: Dict[Any, Any]) -> Fog: ...

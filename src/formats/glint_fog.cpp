@@ -16,9 +16,10 @@ const FieldKeys<Fog>& fog_keys() {
 }
 
 constexpr SpellingHint k_fog_hints[] = {
-    {"colour", "`color`"}, {"distance", "`density`, which is 1 / distance"},
-    {"kind", "`type`"},    {"mode", "`type`"},
-    {"near", "`start`"},   {"far", "`end`"}};
+    {"colour", "`color`"},  {"distance", "`density`, which is 1 / distance"},
+    {"kind", "`type`"},     {"mode", "`type`"},
+    {"near", "`start`"},    {"altitude", "`falloff`"},
+    {"offset", "`height`"}, {"far", "`end`"}};
 
 bool read_kind(GlintText& t, FogKind& kind) {
     constexpr FogKind kinds[] = {FogKind::linear, FogKind::exp, FogKind::exp2};

@@ -104,8 +104,10 @@ inline void record_rays(const WorldParts& world, const RayBatch& rays, const Hit
             record.batch.push_back(record.rays.size());
         } else if (camera || world.conventions.mirror_miss != MissRule::black) {
             ray.transparent = rays.alpha && (camera || rays.straight[static_cast<std::size_t>(number)] > 0);
-            FoggedBackground seen =
-                fogged_background(world, miss_color(world), ray.inside_object || ray.beyond_limit);
+            const bool is_outside = !ray.inside_object && !ray.beyond_limit;
+            FoggedBackground seen = fogged_background(
+                world, miss_color(world),
+                is_outside ? LaneElements(background_visibility(world, rays, number))[0] : 1);
             if (has_gradient(world))
                 seen.background =
                     Vector3Elements(gradient_color(*world.gradient, rays, number) * Doubles(seen.visibility))

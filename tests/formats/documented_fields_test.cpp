@@ -150,6 +150,7 @@ TEST(DocumentedFields, OfFog) {
         for (const FogKind kind : {FogKind::linear, FogKind::exp, FogKind::exp2}) {
             Fog fog;
             fog.kind = kind;
+            fog.falloff = 1;
             if (!applies(field, fog)) continue;
             kinds += fmt::format("{}{}", count++ == 0 ? "" : ", ", to_string(kind));
         }

@@ -27,6 +27,13 @@ INSTANTIATE_TEST_SUITE_P(
                 SCENE "fog { $distance = 10 }",
                 {"a fog has no 'distance': write `density`, which is 1 / distance"}},
         BadText{"unused", SCENE "fog { $end = 10 }", {"glint ignores the 'end' of an exp fog"}},
+        BadText{"unused_height", SCENE "fog { $height = 10 }", {"glint ignores the 'height' of an exp fog"}},
+        BadText{"unused_falloff",
+                SCENE "fog { type = exp2  $falloff = 10 }",
+                {"glint ignores the 'falloff' of an exp2 fog"}},
+        BadText{"up",
+                SCENE "fog { falloff = 1  up = $(0, 0, 0) }",
+                {"expected a direction other than (0, 0, 0)"}},
         BadText{"unused_density",
                 SCENE "fog { type = linear  $density = 10 }",
                 {"glint ignores the 'density' of a linear fog"}},
@@ -41,6 +48,21 @@ INSTANTIATE_TEST_SUITE_P(
                 SCENE "group { $fog { } }",
                 {"a group contains shapes, groups and includes; 'fog' must be outside"}}),
     [](const auto& tested) { return tested.param.name; });
+
+TEST(GlintFog, OnTheGroundIsReadAndWritten) {
+    const Result<Scene> scene =
+        load_text("fog { density = 0.5  falloff = 2  height = 0.5  up = (0, 0, 1) }\n" SCENE, "a.glint");
+    ASSERT_TRUE(scene);
+    Fog expected;
+    expected.density = 0.5;
+    expected.falloff = 2;
+    expected.height = 0.5;
+    expected.up = {0, 0, 1};
+    EXPECT_EQ(*scene->fog, expected);
+    const Result<Scene> again = load_text(write_glint(*scene).value(), "a.glint");
+    ASSERT_TRUE(again);
+    EXPECT_EQ(*again->fog, expected);
+}
 
 TEST(GlintFog, IsReadAndWritten) {
     const Result<Scene> scene = load_text(

@@ -240,6 +240,24 @@ TEST(PovRay, SmoothTrianglesWithNormalsOnBothSidesAreLeftOut) {
               std::string::npos);
 }
 
+TEST(PovRay, FogOnTheGround) {
+    const Scene scene = povray_scene(
+        "fog { fog_type 2 distance 4 rgb .5 fog_offset 2 fog_alt 3 up 2*x rotate 90*z translate 5 }\nsphere "
+        "{ 0, 1 }");
+    ASSERT_TRUE(scene.fog);
+    EXPECT_EQ(scene.fog->density, .25);
+    EXPECT_EQ(scene.fog->falloff, 3);
+    EXPECT_EQ(scene.fog->height, 2);
+    EXPECT_NEAR(scene.fog->up.x, 0, 1e-15);
+    EXPECT_EQ(scene.fog->up.y, 2);
+    const Scene even = povray_scene(
+        "fog { fog_type 2 fog_type 1 distance 4 rgb .5 fog_offset 2 fog_alt 3 up x }\nsphere { 0, 1 }");
+    EXPECT_EQ(*even.fog, (Fog{FogKind::exp, {.5, .5, .5}, .25, 0}));
+    const Result<Scene> sharp =
+        read_povray("fog { fog_type 2 distance 4 rgb .5 fog_offset 2 }\nsphere { 0, 1 }");
+    EXPECT_NE(messages(sharp).find("`fog_alt` (that is not above 0"), std::string::npos) << messages(sharp);
+}
+
 TEST(PovRay, LightsFogAndBackground) {
     const Scene scene = povray_scene(
         "light_source { x, rgb <1, .5, .25>*2 spotlight point_at 3*x radius 10 falloff 20 tightness 2 "

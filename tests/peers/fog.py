@@ -45,6 +45,14 @@ sphere {{ <0.4, 0.6, 6>, 1.5 texture {{ Glow }} }}
 """, "")
 
 
+def pov_on_ground(name, fog, objects=None, camera="", head=""):
+    """Fog on the ground, over the balls of pov_in_fog; the sky and a mirror show it, too."""
+    mirror = "disc { <0, 1, 4>, <-0.1, 0.1, -1>, 3 texture { Mirror } }"
+    rule = pov_in_fog(name, balls() + mirror if objects is None else objects, camera=camera)
+    rule.peer = head + rule.peer.replace("fog_type 1 distance 9", f"fog_type 2 distance 9 {fog}")
+    return rule
+
+
 def pov_orthographic_in_fog(name, objects):
     """Some rays start below the floor, or in the objects."""
     rule = pov_in_fog(name, objects)
@@ -97,6 +105,19 @@ RULES = [
     pov_in_fog("pov_fog_water", balls() + "plane { y, 0.4 texture { Amber } }"),
     pov_in_fog("pov_fog_ceiling", balls() + "plane { y, 8 texture { Glow } }"),
     pov_in_fog("pov_fog_under_water", balls() + "plane { y, 5 texture { Amber } }"),
+    pov_on_ground("pov_fog_ground", "fog_offset 0.5 fog_alt 0.7"),
+    pov_on_ground("pov_fog_ground_thin", "fog_offset -2 fog_alt 3"),
+    pov_on_ground("pov_fog_ground_above", "fog_offset 4 fog_alt 0.2"),
+    pov_on_ground("pov_fog_ground_no_offset", "fog_alt 0.5"),
+    pov_on_ground("pov_fog_ground_up", "fog_alt 0.5 up <1, 4, 1>"),
+    pov_on_ground("pov_fog_ground_turned", "fog_alt 0.5 fog_offset 0.2 up <1, 4, 1> scale <1, 0.5, 1> rotate 20*z translate 3"),
+    pov_on_ground("pov_fog_ground_up_last", "fog_alt 0.5 rotate 90*z up y"),
+    pov_on_ground("pov_fog_ground_hollow", "fog_alt 0.8", balls("texture { Clear } hollow", "texture { Amber } hollow")),
+    pov_on_ground("pov_fog_ground_triangles", "fog_alt 0.8", TRIANGLE.format(z=-1, texture="Clear") + TRIANGLE.format(z=1, texture="Amber")),
+    pov_on_ground("pov_fog_ground_glass", "fog_alt 0.8",
+                  BALL.format(x=0, z=0, more="pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { ior 1.4 }")),
+    pov_on_ground("pov_fog_ground_sky_sphere", "fog_offset 1 fog_alt 2", balls()
+                  + "sky_sphere { pigment { gradient y color_map { [0 rgb 1] [0.3 rgb <0.8, 0.2, 0.1>] [1 rgb z] } } }"),
     pov_fog("pov_fog", f"distance 8 color rgb {vec(COLOR)}", f"density = 0.125  color = {paren(COLOR)}"),
     pov_fog("pov_fog_thick", f"distance 2.5 color rgb {vec(COLOR)}", f"density = 0.4  color = {paren(COLOR)}"),
     pov_fog("pov_fog_transmit", f"distance 8 color rgbt {vec((*COLOR, 0.3))}",

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "glint/explain.h"
+#include "trace/lighting/ground_fog.h"
 #include "trace/pictures.h"
 
 namespace glint::test {
@@ -71,6 +72,68 @@ TEST(Fog, Formulas) {
     }
 }
 
+// The integral of the density by the midpoint rule, over heights in falloffs.
+double mean_density(double from, double to) {
+    double sum = 0;
+    constexpr int k_steps = 20000;
+    for (int i = 0; i < k_steps; ++i) {
+        const double z = std::max(0.0, from + (to - from) * (i + 0.5) / k_steps);
+        sum += 1 / (1 + z * z);
+    }
+    return sum / k_steps;
+}
+
+TEST(Fog, OnTheGround) {
+    // The camera is at the origin, looks along -z, and sees the wall at distance 10 below the horizon.
+    for (const double height : {-30.0, -3.0, 0.0, 2.0}) {
+        for (const FogDistance distance : {FogDistance::ray, FogDistance::depth}) {
+            for (const double start : {0.0, 4.0}) {
+                Scene scene = wall();
+                Fog fog{FogKind::exp, {0.5, 0.25, 1}, 0.1, start, 0, 0.05};
+                fog.falloff = 2;
+                fog.height = height;
+                fog.up = {0, 3, 0};
+                scene.fog = fog;
+                scene.conventions.fog_distance = distance;
+                const Image plain = render_scene(wall()), image = render_scene(scene);
+                for (int y = 0; y < image.height; ++y) {
+                    const int x = 7;
+                    const double across = 2 * std::tan(50 * M_PI / 180) / 41, sx = (x - 20) * across,
+                                 sy = (15 - y) * across;
+                    const double scale =
+                        distance == FogDistance::depth ? 1 : std::sqrt(1 + sx * sx + sy * sy);
+                    const double begin = start / scale, z0 = (sy * begin - height) / 2,
+                                 z1 = (sy * 10 - height) / 2;
+                    double way = (10 - begin) * scale * mean_density(z0, z1);
+                    if (plain.pixel(x, y).r != 1) {
+                        const double rest = M_PI / 2 - std::atan(std::max(z0, 0.0)) - std::min(z0, 0.0);
+                        way = sy > 0 ? rest * 2 * scale / sy : 1e9;
+                    }
+                    const double f = std::max(std::exp(-0.1 * way), 0.05);
+                    const Color seen = plain.pixel(x, y), c = image.pixel(x, y);
+                    ASSERT_NEAR(c.r, f * seen.r + (1 - f) * 0.5, 2e-6) << height << ' ' << y;
+                    ASSERT_NEAR(c.b, f * seen.b + (1 - f), 2e-6) << height << ' ' << y;
+                }
+            }
+        }
+    }
+}
+
+TEST(Fog, OnTheGroundKeepsItsDigits) {
+    // Level rays, and almost level ones; heights and distances of all sizes.
+    EXPECT_DOUBLE_EQ(fog_along({2, 0}, 3, 8), 5 / 5.0);
+    EXPECT_DOUBLE_EQ(fog_along({2, 1e-17}, 3, 8), 5 / 5.0);
+    EXPECT_NEAR(fog_along({2, 1e-12}, 3, 8), 1, 1e-9);
+    EXPECT_DOUBLE_EQ(fog_along({-2, 0}, 3, 8), 5);
+    EXPECT_DOUBLE_EQ(fog_along({-2, 1e-3}, 3, 8), 5);
+    EXPECT_DOUBLE_EQ(fog_along({2, 0}, 8, 3), -1) << "before the fog begins";
+    EXPECT_NEAR(fog_along({0, 1}, 0, 1e300), M_PI / 2, 1e-15);
+    EXPECT_NEAR(fog_along({-3, 1}, 0, INFINITY), 3 + M_PI / 2, 1e-14);
+    EXPECT_NEAR(fog_along({5, 2}, 0, INFINITY), (M_PI / 2 - std::atan(5)) / 2, 1e-15);
+    for (const double slope : {0.0, -1.0, -1e-300}) EXPECT_EQ(fog_along({5, slope}, 0, INFINITY), 1e200);
+    EXPECT_EQ(fog_along({-1e21, 1e-300}, 0, INFINITY), 1e200);
+}
+
 TEST(Fog, MirrorsAreFoggedOnEveryPartOfThePath) {
     // The camera looks at a mirror 4 units away, and sees the wall behind itself, 16 units from the mirror.
     Scene scene;
@@ -108,7 +171,18 @@ Scene foggy_mixture() {
     return scene;
 }
 
-TEST(Fog, CropsThreadsAndInstructionSets) { expect_same_crops(*make_world(foggy_mixture()), 20); }
+Scene mixture_on_foggy_ground() {
+    Scene scene = foggy_mixture();
+    scene.fog->falloff = 0.7;
+    scene.fog->height = -1;
+    scene.fog->up = {0.1, 1, 0.2};
+    return scene;
+}
+
+TEST(Fog, CropsThreadsAndInstructionSets) {
+    expect_same_crops(*make_world(foggy_mixture()), 20);
+    expect_same_crops(*make_world(mixture_on_foggy_ground()), 20);
+}
 
 TEST(Fog, EmptyTilesHaveTheBitsOfOthers) {
     // A shape in a corner: most tiles are filled without tracing. Layers make every tile be traced.
@@ -124,13 +198,17 @@ TEST(Fog, EmptyTilesHaveTheBitsOfOthers) {
     options.layers = {Layer::fog};
     const Rendering all = render(*world, options).value();
     expect_same_picture(all.image, render_world(*world));
+    Scene on_ground = scene;
+    on_ground.fog->falloff = 3;
+    const std::optional<World> ground = make_world(on_ground);
+    expect_same_picture(render(*ground, options).value().image, render_world(*ground));
     EXPECT_FLOAT_EQ(all.layers[0].values[3 * 14900], 0.7f * 0.7f);
 }
 
 TEST(Fog, ExplainedAsDrawn) {
-    for (const bool alpha : {false, true}) {
-        Scene scene = foggy_mixture();
-        scene.settings.alpha = alpha;
+    for (const int variant : {0, 1, 2, 3}) {
+        Scene scene = variant < 2 ? foggy_mixture() : mixture_on_foggy_ground();
+        scene.settings.alpha = variant % 2 == 1;
         expect_explained_as_drawn(scene, 3, 2, [&](const Explanation& e, int x, int y) {
             double sums[k_light_layers] = {};
             for (std::size_t i = 0; i < e.rays.size(); ++i) {

@@ -203,7 +203,7 @@ camera { projection = orthographic  position = (0, 0, 6)  width = 10 }
 light { type = ambient }
 sphere { center = (0, 0, 0)  radius = 1  ambient_color = (1, 0, 0) }\n`}]});
     const {info} = scene;
-    assert.deepEqual(info.fog_fields.map((field) => field.name), ['color', 'density', 'start', 'end', 'transmit']);
+    assert.deepEqual(info.fog_fields.map((field) => field.name), ['color', 'density', 'start', 'end', 'transmit', 'falloff', 'height', 'up']);
     assert.deepEqual(info.fog, {kind: 'linear', place: {file: 'ball.glint', line: 3, column: 1},
         color: [0.5, 0.5, 0.5], start: 0, end: 10, transmit: 0});
     const {pixels} = scene.renderPixels(0, 2, 3, 1);

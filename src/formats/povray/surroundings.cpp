@@ -6,6 +6,7 @@
 
 #include "formats/povray/reader.h"
 #include "math/number.h"
+#include "math/transform.h"
 
 namespace glint::povray {
 
@@ -38,16 +39,26 @@ void Reader::use_background(bool is_new) {
     if (is_new && opacity > 0) set("background_alpha", version_place_, fmt::format("{}", opacity));
 }
 
-// fog { items }: of constant density.
+// The least fog_alt that is drawn.
+constexpr double k_least_fog_alt = 1e-6;
+
+// fog { items }
 void Reader::read_fog(const Token& at) {
     Fog fog;
     fog.color = {0, 0, 0};
     fog.density = 0;
     if (!expect('{')) return;
-    std::optional<Affine> map;
+    double alt = 0;
+    std::optional<Token> ground;
     while (!failed() && !accept('}')) {
-        if (accept(',') || read_transform_item(map)) continue;
+        std::optional<Affine> map;
+        if (accept(',')) continue;
+        if (read_transform_item(map)) {
+            if (map) fog.up = transform_vector(*map, fog.up);  // nothing else moves (measured)
+            continue;
+        }
         const Token item = peek();
+        const std::string_view word = item.kind == TokenKind::word ? text_of(item) : std::string_view();
         // POV-Ray takes `color` twice here, and only here; color() takes the second one.
         const bool has_word = accept(Word::k_color) || accept(Word::k_colour);
         if (has_word || begins_color(item) || (begins_number(item) && item.kind == TokenKind::word)) {
@@ -62,7 +73,12 @@ void Reader::read_fog(const Token& at) {
             const double distance = number();
             fog.density = distance > 0 ? 1 / distance : 0;
         } else if (item.word() == Word::k_fog_type) {
-            if (number() != 1) builder_.report({"fog_type 2", "fog on the ground", item});
+            ground.reset();
+            if (number() == 2) ground = item;
+        } else if (item.word() == Word::k_up) {
+            fog.up = vector();
+        } else if (word == "fog_offset" || word == "fog_alt") {
+            (word == "fog_alt" ? alt : fog.height) = number();
         } else if (item.kind == TokenKind::word && !Names::is_reserved(item.name) && begins_number(peek())) {
             builder_.report({"turbulence", "of a fog", item});
             expression();
@@ -72,6 +88,13 @@ void Reader::read_fog(const Token& at) {
         }
     }
     if (failed() || fog.density == 0) return;
+    if (ground) {
+        if (!(alt > 0)) builder_.report({"fog_alt", "that is not above 0: the fog ends sharply", *ground});
+        fog.falloff = number::max(alt, k_least_fog_alt);
+    } else {
+        fog.height = 0;
+    }
+    if (!ground || fog.up == Vec3{0, 0, 0}) fog.up = {0, 1, 0};
     if (scene_.fog) builder_.report({"fog", "a second one", at});
     scene_.fog = fog;
     scene_.fog_place = place_of(at);

@@ -23,7 +23,8 @@ HWY_INLINE bool has_gradient(const WorldParts& world) {
 
 /// Whether all camera rays that hit nothing see the same.
 HWY_INLINE bool is_background_uniform(const WorldParts& world) {
-    return !has_gradient(world) && world.interiors.cutting.empty();
+    return !has_gradient(world) && world.interiors.cutting.empty() &&
+           !(world.fog && world.fog->is_on_ground());
 }
 
 /// Whether the rays at the limit of reflections see the part of the background that is in the direction of

@@ -61,16 +61,19 @@ HWY_INLINE bool shows_background(const WorldParts& world) {
 }
 
 /// For alpha: adds the weights of rays that show the background; of a colored weight, the mean.
-inline void add_transparency(const RayBatch& rays, int ray, LaneMask<double> seen, double visibility,
+inline void add_transparency(const RayBatch& rays, int ray, LaneMask<double> seen, Doubles visibility,
                              Film& film) {
+    alignas(k_ray_alignment) double parts[lane_count<double>()];
+    store(visibility, parts);
     for (std::uint32_t bits = to_bits(seen); bits != 0; bits &= bits - 1) {
-        const auto k = static_cast<std::size_t>(ray + __builtin_ctz(bits));
+        const int lane = __builtin_ctz(bits);
+        const auto k = static_cast<std::size_t>(ray + lane);
         if (rays.generation == 0) {
-            film.transparency[k] += visibility;
+            film.transparency[k] += parts[lane];
         } else {
             const auto pixel = static_cast<std::size_t>(rays.target[k]) % std::size_t{k_layer_stride};
             film.transparency[pixel] +=
-                (rays.weight[0][k] + rays.weight[1][k] + rays.weight[2][k]) / 3 * visibility;
+                (rays.weight[0][k] + rays.weight[1][k] + rays.weight[2][k]) / 3 * parts[lane];
         }
     }
 }
@@ -104,42 +107,34 @@ HWY_INLINE void for_each_miss(const HitBatch& hits, RayRange range, const Visit&
 inline void add_misses(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, RayRange range,
                        Film& film) {
     if (rays.generation > 0 && world.conventions.mirror_miss == MissRule::black) return;
-    const FoggedBackground outside = fogged_background(world, miss_color(world), false);
-    const bool gradient = has_gradient(world);
-    if (!rays.alpha && !gradient && !(outside.visibility < 1)) {
-        const Vector3<Doubles> color = lanes_of(outside.background);
+    const bool gradient = has_gradient(world), fog = has_fog_on_background(world);
+    const Vector3<Doubles> color = lanes_of(miss_color(world));
+    if (!rays.alpha && !gradient && !fog) {
         return for_each_miss(hits, range, [&](int ray, LaneMask<double> missed) HWY_ATTR {
             add_seen(rays, ray, missed, Layer::background, color, film);
         });
     }
-    const auto add = [&](int ray, LaneMask<double> missed, const FoggedBackground& seen) HWY_ATTR {
+    const bool has_blind = rays.generation > 0 && world.conventions.limit == LimitRule::background;
+    for_each_miss(hits, range, [&](int ray, LaneMask<double> missed) HWY_ATTR {
+        Doubles visibility = background_visibility(world, rays, ray);
+        if (fog && rays.tracked)
+            visibility = select(load(rays.interiors.data() + ray) > Doubles(0), Doubles(1), visibility);
+        if (fog && has_blind)
+            visibility =
+                select(load(rays.t_min.data() + ray) >= Doubles(k_blind_t_min), Doubles(1), visibility);
         auto opaque = missed;
         if (rays.alpha) {
             const auto transparent = see_through(rays, ray, missed);
             add_transparency(rays, ray, transparent,
-                             seen.visibility * (1 - world.conventions.background_alpha), film);
+                             visibility * Doubles(1 - world.conventions.background_alpha), film);
             if (!shows_background(world)) opaque = missed && !transparent;
         }
-        const Vector3<Doubles> background =
-            gradient ? gradient_color(*world.gradient, rays, ray) * Doubles(seen.visibility)
-                     : lanes_of(seen.background);
-        add_seen(rays, ray, opaque, Layer::background, background, film);
-        if (seen.visibility < 1) add_seen(rays, ray, missed, Layer::fog, lanes_of(seen.fog), film);
-    };
-    const bool has_blind = rays.generation > 0 && world.conventions.limit == LimitRule::background;
-    if (!rays.tracked && !has_blind) {
-        return for_each_miss(hits, range,
-                             [&](int ray, LaneMask<double> missed) HWY_ATTR { add(ray, missed, outside); });
-    }
-    const FoggedBackground unfogged = fogged_background(world, miss_color(world), true);
-    for_each_miss(hits, range, [&](int ray, LaneMask<double> missed) HWY_ATTR {
-        auto in = first_lanes<double>(0);
-        if (rays.tracked) in = load(rays.interiors.data() + ray) > Doubles(0);
-        if (has_blind) in = in || load(rays.t_min.data() + ray) >= Doubles(k_blind_t_min);
-        in = missed && in;
-        const auto out = and_not(missed, in);
-        if (any(in)) add(ray, in, unfogged);
-        if (any(out)) add(ray, out, outside);
+        const Vector3<Doubles> shown = gradient ? gradient_color(*world.gradient, rays, ray) : color;
+        add_seen(rays, ray, opaque, Layer::background, shown * visibility, film);
+        const auto fogged = missed && visibility < Doubles(1);
+        if (any(fogged))
+            add_seen(rays, ray, fogged, Layer::fog, lanes_of(world.fog->color) * (Doubles(1) - visibility),
+                     film);
     });
 }
 
@@ -317,7 +312,9 @@ inline void resolve(const TileJob& job, const Film& film, int n) {
 /// Fills a tile whose rays all hit nothing. The pixels are the same as those of resolve().
 inline void fill_background(const WorldParts& world, const TileJob& job, int n) {
     const int samples = n * n;
-    const FoggedBackground seen = fogged_background(world, miss_color(world), world.interiors.camera != 0);
+    const bool in_fog = has_fog_on_background(world) && world.interiors.camera == 0;
+    const FoggedBackground seen =
+        fogged_background(world, miss_color(world), in_fog ? world.fog->transmit : 1);
     NarrowFloats r, g, b;
     const auto add = [&](Color layer) HWY_ATTR {
         const Vector3<Doubles> color = lanes_of(layer);

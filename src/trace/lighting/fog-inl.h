@@ -11,6 +11,7 @@
 #include "simd/elementary-inl.h"
 #include "simd/vec3-inl.h"
 #include "trace/batches.h"
+#include "trace/lighting/ground_fog.h"
 #include "world/world.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -32,28 +33,73 @@ template <class T> HWY_INLINE T fog_visibility(const Fog& fog, T distance) {
     return min(max(f, T(fog.transmit)), T(1));
 }
 
-/// The background and the fog before it, as a ray with weight 1 sees them. inside: the ray is inside an
-/// object (FogInteriors).
+/// The distance that fog depends on, of a point at t = 1, for rays of a generation with these directions.
+HWY_INLINE Doubles fog_scale(const WorldParts& world, int generation, const Vector3<Doubles>& direction) {
+    if (world.conventions.fog_distance == FogDistance::depth && generation == 0)
+        return dot(direction, lanes_of(glint::normalize(world.camera.forward)));
+    return length(direction);
+}
+
+/// The least falloff that counts: heights in its units are finite.
+constexpr double k_least_falloff = 1e-9;
+
+/// f of fog on the ground, from points on lines with these directions on. scale: the fog's distance by t.
+HWY_NOINLINE inline Doubles ground_fog_visibility(const Fog& fog, const Vector3<Doubles>& from,
+                                                  const Vector3<Doubles>& direction, Doubles scale,
+                                                  Doubles t) {
+    const Vector3<Doubles> up = lanes_of(glint::normalize(fog.up));
+    const double unit = number::max(fog.falloff, k_least_falloff);
+    constexpr int k_lanes = lane_count<double>();
+    alignas(k_ray_alignment) double height[k_lanes], slope[k_lanes], begin[k_lanes], end[k_lanes];
+    store((dot(from, up) - Doubles(fog.height)) / Doubles(unit), height);
+    store(dot(direction, up) / Doubles(unit), slope);
+    store(Doubles(fog.start) / scale, begin);
+    store(t, end);
+    for (int k = 0; k < k_lanes; ++k) end[k] = fog_along({height[k], slope[k]}, begin[k], end[k]);
+    const Doubles f = exp(-(Doubles(fog.density) * (load(end) * scale)));
+    return min(max(f, Doubles(fog.transmit)), Doubles(1));
+}
+
+/// Whether rays that leave the scene outside of objects see the background through fog.
+HWY_INLINE bool has_fog_on_background(const WorldParts& world) {
+    return world.fog && world.conventions.fog_background && world.has_lighting();
+}
+
+/// f of the background for a vector of rays outside of objects.
+HWY_INLINE Doubles background_visibility(const WorldParts& world, const RayBatch& rays, int ray) {
+    if (!has_fog_on_background(world)) return Doubles(1);
+    const Fog& fog = *world.fog;
+    if (!fog.is_on_ground()) return Doubles(fog.transmit);
+    const Vector3<Doubles> direction = load_vector3(rays.direction, ray);
+    Vector3<Doubles> from = load_vector3(rays.origin, ray);
+    const bool passed = rays.transparent && rays.generation > 0;
+    if (passed) from = from + direction * load(rays.start.data() + ray);
+    return ground_fog_visibility(fog, from, direction, fog_scale(world, rays.generation, direction),
+                                 Doubles(k_infinity));
+}
+
+/// The background and the fog before it, as a ray with weight 1 sees them through this visibility.
 struct FoggedBackground {
     double visibility = 1;
     Color background, fog;
 };
-inline FoggedBackground fogged_background(const WorldParts& world, Color color, bool inside) {
-    if (!world.fog || !world.conventions.fog_background || !world.has_lighting() || inside)
-        return {1, color, {}};
-    const double f = world.fog->transmit;
-    return {f, color * f, world.fog->color * (1 - f)};
+inline FoggedBackground fogged_background(const WorldParts& world, Color color, double visibility) {
+    if (!(visibility < 1)) return {1, color, {}};
+    return {visibility, color * visibility, world.fog->color * (1 - visibility)};
 }
 
 /// Multiplies the weights of surfaces by f, and computes the light of the fog in front of them.
 inline void apply_fog(const WorldParts& world, SurfaceBatch& surfaces) {
     if (!world.fog) return;
-    const bool by_depth = world.conventions.fog_distance == FogDistance::depth && surfaces.generation == 0;
-    const Vector3<Doubles> forward = lanes_of(glint::normalize(world.camera.forward));
     for (int h = 0; h < surfaces.count; h += lane_count<double>()) {
         const Vector3<Doubles> d = load_vector3(surfaces.incoming, h);
-        const Doubles scale = by_depth ? dot(d, forward) : length(d);
-        Doubles f = fog_visibility(*world.fog, load(surfaces.hit_t.data() + h) * scale);
+        const Doubles scale = fog_scale(world, surfaces.generation, d), t = load(surfaces.hit_t.data() + h);
+        Doubles f(1);
+        if (world.fog->is_on_ground()) {
+            f = ground_fog_visibility(*world.fog, load_vector3(surfaces.point, h) - d * t, d, scale, t);
+        } else {
+            f = fog_visibility(*world.fog, t * scale);
+        }
         if (surfaces.tracked) f = select(load(surfaces.interiors.data() + h) > Doubles(0), Doubles(1), f);
         const Vector3<Doubles> weight = load_vector3(surfaces.weight, h);
         store(f, surfaces.visibility.data() + h);
