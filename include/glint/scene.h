@@ -100,6 +100,11 @@ struct Light {
     /// With AreaShading::center: regions of the grid below this level of subdivision are always divided,
     /// others only if neighbouring corners differ (POV-Ray); 0 to k_all_levels.
     std::int32_t adaptive = k_all_levels;
+    /// Parallelograms: the grid of samples is bent to the ellipse in the parallelogram (POV-Ray).
+    bool circular = false;
+    /// Parallelograms: each surface point sees a square that faces it, whose sides have the length of side_u;
+    /// the first is at right angles to the z axis (POV-Ray).
+    bool oriented = false;
 
     // The properties of the kind; other code calls these functions. The compiler warns if a switch lacks a
     // kind.
@@ -156,6 +161,8 @@ struct Light {
     constexpr bool is_sphere() const { return kind == LightKind::sphere; }
     /// Has an extent and is represented by samples.
     constexpr bool is_area() const { return is_parallelogram() || is_disc() || is_sphere(); }
+    /// Whether the places of its samples differ from surface point to surface point.
+    constexpr bool moves_samples() const { return is_area() && (jitter || (is_parallelogram() && oriented)); }
     constexpr bool has_radius() const { return is_disc() || is_sphere(); }
     constexpr bool has_axis() const { return is_spot() || is_disc(); }
     /// Has two sides.

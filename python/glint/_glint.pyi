@@ -124,6 +124,8 @@ class Light:
         one_sided: bool = ...,
         jitter: bool = ...,
         adaptive: int = ...,
+        circular: bool = ...,
+        oriented: bool = ...,
         casts_shadows: bool = ...,
     ) -> None: ...
     name: str
@@ -148,6 +150,8 @@ class Light:
     one_sided: bool
     jitter: bool
     adaptive: int
+    circular: bool
+    oriented: bool
     casts_shadows: bool
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> Light: ...

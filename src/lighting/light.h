@@ -19,6 +19,7 @@ struct AreaGrid {
     Vec3 center;
     Vec3 x, y, z;  // the sides; or axes at right angles, the radius long, of which a disc has only x and y
     bool jitter = false;
+    bool circular = false, oriented = false;  // parallelograms
     std::int32_t adaptive = k_all_levels;
     std::int32_t count() const { return columns * rows; }
 };

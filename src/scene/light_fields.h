@@ -89,6 +89,11 @@ inline constexpr ItemField<Light> k_light_fields[] = {
      "if `area_shading` is center: levels of the grid that are always divided; below them, where corners "
      "differ",
      &Light::is_area},
+    {"circular", "circular", "circular", bool_field(&Light::circular),
+     "true: the samples fill the ellipse in the parallelogram", &Light::is_parallelogram},
+    {"oriented", "oriented", "oriented", bool_field(&Light::oriented),
+     "true: each surface point sees a square with sides as long as side_u that faces it",
+     &Light::is_parallelogram},
     {"attenuation", "attenuation", "attenuation", attenuation_field(&Light::attenuation),
      "min(1/(c0 + c1 d + c2 d^2), 1) at distance d; without the min if not `clamp_attenuation`",
      &Light::has_attenuation},

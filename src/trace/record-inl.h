@@ -187,7 +187,7 @@ inline std::vector<ShadowSample> recorded_samples(const WorldParts& world, const
         const Vec3 fixed = fixed_sample(world, light.area, sample);
         const ShadowRay<Doubles> ray = sample_ray(world, light, sample, fixed, surfaces, h);
         const Vector3<Doubles> at =
-            light.jitter ? moved_sample(world, light, sample, surfaces, h) : lanes_of(fixed);
+            light.moves_samples() ? moved_sample(world, light, sample, surfaces, h) : lanes_of(fixed);
         ShadowSample& traced = list.emplace_back();
         traced.sample = sample;
         traced.weight = weights[static_cast<std::size_t>(sample)];

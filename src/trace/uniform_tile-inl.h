@@ -66,7 +66,7 @@ inline void light_surfaces(const WorldParts& world, const PreparedLight& light, 
     sample.specular_color = light.specular_color * part;
     for (int i = 0; i < light.area.count(); ++i) {
         sample.sample = i;
-        if (!light.jitter) sample.position = fixed_sample(world, light.area, i);
+        if (!light.moves_samples()) sample.position = fixed_sample(world, light.area, i);
         light_from(world, sample, s);
     }
 }

@@ -130,6 +130,8 @@ export interface LightInfo {
     one_sided?: boolean;
     jitter?: boolean;
     adaptive?: number;
+    circular?: boolean;
+    oriented?: boolean;
 }
 
 /** Beside these, each of SceneInfo.gradient_fields or occlusion_fields. */
@@ -148,6 +150,9 @@ export interface FogInfo {
     start: number;
     end?: number;
     transmit: number;
+    falloff?: number;
+    height?: number;
+    up?: Vec3;
 }
 
 /** Pixel (i, j) of width x height is at s (forward + u right + v up), u = (i + 0.5) / width - 0.5, v from the top. */

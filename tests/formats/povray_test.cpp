@@ -341,7 +341,15 @@ TEST(PovRay, AreaLightsShineFromTheirCentre) {
     EXPECT_EQ(light.samples_v, 4);
     EXPECT_EQ(light.adaptive, 1);
     EXPECT_TRUE(light.jitter);
+    EXPECT_FALSE(light.circular || light.oriented);
     EXPECT_EQ(scene.conventions.area_shading, AreaShading::center);
+    for (const bool oriented : {false, true}) {
+        const Scene round =
+            povray_scene("light_source { 0, 1 area_light 2*x, 2*z, 5, 4 " +
+                         std::string(oriented ? "orient" : "circular") + " }\nsphere { 0, 1 }");
+        EXPECT_TRUE(round.lights.at(1).circular);
+        EXPECT_EQ(round.lights[1].oriented, oriented);
+    }
 }
 
 TEST(PovRay, APovIsOfCsc473IfItsWholeTextIs) {

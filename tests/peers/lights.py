@@ -147,15 +147,18 @@ def tachyon_spot(name, start, end, attenuation=None):
                          f"type = spot  axis = {paren(direction)}  inner_angle = {start}  outer_angle = {end}", attenuation)
 
 
-def pov_area(name, columns, rows, sides=((2.4, 0, 0), (0, 0, 2.4)), adaptive=None, color=(1, 0.9, 0.8)):
-    """An area light without jitter. adaptive: POV-Ray's level; None: every sample is traced."""
+def pov_area(name, columns, rows, sides=((2.4, 0, 0), (0, 0, 2.4)), adaptive=None, color=(1, 0.9, 0.8), form=(), position=(-2, 5, -3)):
+    """An area light without jitter. adaptive: POV-Ray's level; None: every sample is traced. form: of circular and orient."""
     pov = f"area_light {vec(sides[0])}, {vec(sides[1])}, {columns}, {rows}"
     own = (f"type = parallelogram  side_u = {paren(sides[0])}  side_v = {paren(sides[1])}  "
            f"samples_u = {columns}  samples_v = {rows}")
     if adaptive is not None:
         pov += f" adaptive {adaptive}"
         own += f"  adaptive = {adaptive}"
-    rule = pov_light((-2, 5, -3), color, pov, own, name)
+    for word in form:
+        pov += f" {word}"
+        own += "  circular = true" if word == "circular" else "  oriented = true"
+    rule = pov_light(position, color, pov, own, name)
     return dataclasses.replace(rule, own="conventions { area_shading = center }\n" + rule.own)
 
 
@@ -178,6 +181,13 @@ RULES = [
     pov_area("pov_area_row", 6, 1, ((3, 0, 0), (0, 0, 1))),
     pov_area("pov_area_dim", 5, 5, adaptive=0, color=(0.09, 0, 0)),
     pov_area("pov_area_less_dim", 5, 5, adaptive=0, color=(0.05, 0.04, 0.02)),
+    *[pov_area(f"pov_area_circular_{n}", n, n, form=["circular"]) for n in (2, 3, 4, 5)],
+    pov_area("pov_area_circular_not_square", 5, 2, ((3, 0, 1), (0, 1.2, 0)), form=["circular"]),
+    *[pov_area(f"pov_area_circular_{n}_adaptive_{level}", n, n, adaptive=level, form=["circular"]) for n in (5, 9) for level in (0, 1)],
+    *[pov_area(f"pov_area_orient_{n}", n, n, form=["circular", "orient"]) for n in (2, 3, 5)],
+    pov_area("pov_area_orient_not_square", 5, 2, ((3, 0, 1), (0, 1.2, 0)), form=["circular", "orient"]),
+    pov_area("pov_area_orient_above", 4, 4, form=["circular", "orient"], position=(0.3, 4, 0)),
+    pov_area("pov_area_orient_adaptive", 9, 9, adaptive=1, form=["circular", "orient"]),
     tachyon_spot("tachyon_spot", 12, 22),
     tachyon_spot("tachyon_spot_wide", 0, 40),
     tachyon_light("tachyon_attenuation", "Light", (-1, 2.5, -3), (0.9, 0.8, 1), "", "", (0.1, 0.05, 0.06)),

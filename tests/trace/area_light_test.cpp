@@ -280,7 +280,10 @@ std::vector<Scene> scenes() {
     std::vector<Scene> list;
     for (const AreaShading shading : {AreaShading::samples, AreaShading::center}) {
         for (const bool jitter : {false, true}) {
-            for (Light light : {panel(3, 4), round_light(LightKind::disc), round_light(LightKind::sphere)}) {
+            Light facing = panel(4, 3);
+            facing.circular = facing.oriented = true;
+            for (Light light :
+                 {panel(3, 4), facing, round_light(LightKind::disc), round_light(LightKind::sphere)}) {
                 light.jitter = jitter;
                 light.one_sided = light.is_disc();
                 if (light.is_parallelogram()) light.adaptive = 1;

@@ -171,7 +171,7 @@ test('the facts of a scene', () => {
     assert.deepEqual(info.lights[1].place, {file: 'cgfs/three_mirrors.cgfs', line: 12, column: 1});
     assert.deepEqual(info.light_fields.map((field) => field.name), ['color', 'specular_color', 'position', 'to_light',
         'axis', 'inner_angle', 'outer_angle', 'tightness', 'side_u', 'side_v', 'radius', 'samples_u', 'samples_v', 'one_sided', 'jitter',
-        'adaptive', 'attenuation', 'fade_distance', 'fade_power', 'casts_shadows']);
+        'adaptive', 'circular', 'oriented', 'attenuation', 'fade_distance', 'fade_power', 'casts_shadows']);
     assert.deepEqual(info.light_fields[3].keys, ['to_light', 'direction']);
     assert.deepEqual(info.lights.map((light) => info.light_fields.filter((field) => field.name in light).length), [1, 7, 4]);
     assert.deepEqual(info.camera_fields.map((field) => field.name), ['position', 'look_at', 'up', 'fov', 'width', 'lighting_eye']);

@@ -86,8 +86,10 @@ Object ObjectParser::read_light(const Token& word) {
                 source.light.jitter = true;
                 break;
             case Word::k_circular:
-            case Word::k_orient:
-                source.missing.add(missing(item, to_string(item.word())));
+                source.light.circular = true;
+                break;
+            case Word::k_orient:  // circular, too (measured)
+                source.light.circular = source.light.oriented = true;
                 break;
             case Word::k_area_illumination:
                 if (flag()) source.missing.add(missing(item, "area_illumination"));

@@ -153,7 +153,7 @@ HWY_INLINE ShadowRay<Doubles> sample_ray(const WorldParts& world, const Prepared
                                          Vec3 fixed, const SurfaceBatch& surfaces, int i) {
     const SurfacePoint<Doubles> surface = surface_at(surfaces, i);
     const Vector3<Doubles> from =
-        light.jitter ? moved_sample(world, light, sample, surfaces, i) : lanes_of(fixed);
+        light.moves_samples() ? moved_sample(world, light, sample, surfaces, i) : lanes_of(fixed);
     return shadow_ray_from(surface, from, from - surface.point, world.conventions);
 }
 
@@ -189,7 +189,7 @@ inline void trace_sample_rays(const WorldParts& world, const PreparedLight& ligh
                               const SurfaceBatch& surfaces, AreaShadowBatch& shadow,
                               ShadowRayBatch& shadow_rays, SteppedRays& steps, TileRecord* record) {
     const Vec3 fixed = fixed_sample(world, light.area, sample);
-    const bool one_origin = !light.jitter && world.conventions.shadow_stops_at_light;
+    const bool one_origin = !light.moves_samples() && world.conventions.shadow_stops_at_light;
     shadow_rays.count = 0;
     const auto wanted = [&](int i) {
         return static_cast<std::uint32_t>(shadow.wanted[AreaShadowBatch::word_of(sample, i)] >> (i % 64)) &

@@ -82,7 +82,7 @@ HWY_INLINE LightRules light_rules(const WorldParts& world, const PreparedLight& 
     const bool shadows = world.settings.shadows && light.casts_shadows;
     rules.has_shadow_rays = shadows && !rules.from_center;
     rules.samples_shadow = shadows && rules.from_center;
-    rules.is_moved = light.sample >= 0 && light.jitter;
+    rules.is_moved = light.sample >= 0 && light.moves_samples();
     rules.color = light.color * world.direct;
     rules.specular_color = light.specular_color * world.direct;
     rules.finish = finish_rules(world);
@@ -110,21 +110,28 @@ inline Vec3 fixed_sample(const WorldParts& world, const AreaGrid& area, int samp
     const AreaShading rule = placing_rule(world, area);
     const Vector3<double> at =
         area_point(area, sample_coordinate(sample % area.columns, area.columns, 0.5, rule),
-                   sample_coordinate(sample / area.columns, area.rows, 0.5, rule));
+                   sample_coordinate(sample / area.columns, area.rows, 0.5, rule), Vector3<double>{0, 0, 0});
     return {at.x, at.y, at.z};
 }
-/// A sample that is moved within its cell, for a vector of surfaces.
+/// The place of a moved sample in its cell, from 0 to 1, for a vector of surfaces.
+inline void hash_place(const PreparedLight& light, int sample, const SurfaceBatch& surfaces, int i,
+                       Doubles& u, Doubles& v) {
+    const Words of_light = hash_with(to_words(load(surfaces.hash.data() + i)),
+                                     Words(purpose_word(SamplePurpose::light, light.index)));
+    const Words of_sample = hash_with(of_light, Words(static_cast<std::uint32_t>(sample)));
+    u = unit_number(hash_with(of_sample, Words(0u)));
+    v = unit_number(hash_with(of_sample, Words(1u)));
+}
+/// A sample whose place differs from surface to surface (Light::moves_samples), for a vector of them.
 inline Vector3<Doubles> moved_sample(const WorldParts& world, const PreparedLight& light, int sample,
                                      const SurfaceBatch& surfaces, int i) {
     const AreaGrid& area = light.area;
     const AreaShading rule = placing_rule(world, area);
-    const Words of_light = hash_with(to_words(load(surfaces.hash.data() + i)),
-                                     Words(purpose_word(SamplePurpose::light, light.index)));
-    const Words of_sample = hash_with(of_light, Words(static_cast<std::uint32_t>(sample)));
-    const Doubles u = unit_number(hash_with(of_sample, Words(0u))),
-                  v = unit_number(hash_with(of_sample, Words(1u)));
+    Doubles u(0.5), v(0.5);
+    if (area.jitter) hash_place(light, sample, surfaces, i, u, v);
     return area_point(area, sample_coordinate(sample % area.columns, area.columns, u, rule),
-                      sample_coordinate(sample / area.columns, area.rows, v, rule));
+                      sample_coordinate(sample / area.columns, area.rows, v, rule),
+                      load_vector3(surfaces.point, i));
 }
 /// The values of a light at a vector of surfaces.
 struct LightLanes {

@@ -35,6 +35,8 @@ void prepare_area(PreparedLight& light) {
     area.rows = light.samples_v;
     area.center = light.position;
     area.jitter = light.jitter;
+    area.circular = light.circular;
+    area.oriented = light.is_parallelogram() && light.oriented;
     area.adaptive = light.adaptive;
     area.x = light.side_u, area.y = light.side_v;
     light.unit_axis = light.is_parallelogram()
