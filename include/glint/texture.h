@@ -59,7 +59,10 @@ enum class TextureAlpha : std::uint8_t { blend, mask, ignore };
 /// The patterns have a u at each point of space, and v = 0. checker: cubes of side 1, u = 0 and 0.5 in turn;
 /// a point less than k_checker_margin below a border is above it, so that a surface on a border has one
 /// color. onion: u = |p|. rings: u is the distance from the y axis. boxes: u = max(|p.x|, |p.y|, |p.z|).
-/// slabs: u = |p.x|. leopard: u = ((sin p.x + sin p.y + sin p.z) / 3)^2.
+/// slabs: u = |p.x|. leopard: u = ((sin p.x + sin p.y + sin p.z) / 3)^2. bricks: u = 0 in
+/// the mortar (Texture::mortar), and 0.5 in the bricks, boxes of side 1 in layers along y; those of odd
+/// layers are moved by 0.5 in x, those of even layers in z. hexagons: u = 0, 0.25 and 0.5 in turn, in prisms
+/// along y whose hexagons have sides of length 1; neighbours differ, and a corner is at +x of the middle.
 enum class TextureMapping : std::uint8_t {
     uv,
     planar,
@@ -70,7 +73,9 @@ enum class TextureMapping : std::uint8_t {
     rings,
     boxes,
     slabs,
-    leopard
+    leopard,
+    bricks,
+    hexagons
 };
 
 inline constexpr double k_checker_margin = 1e-10;
@@ -106,6 +111,8 @@ struct Texture {
     TextureEncoding encoding = TextureEncoding::linear;
     TextureAlpha alpha = TextureAlpha::blend;
     double alpha_cutoff = 0.5;  ///< 0 to 1
+    /// bricks: the parts of their length, height and depth at the upper ends that are mortar, 0 to 1.
+    Vec3 mortar{0.1, 0.1, 0.1};
     /// u and v in the picture from those of the surface: (a u + b v + c, d u + e v + f).
     UvMap uv_map{};
     Affine world_from_texture{};  ///< for mappings other than uv; invertible

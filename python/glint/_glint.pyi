@@ -173,6 +173,7 @@ class Texture:
         encoding: TextureEncoding = ...,
         alpha: TextureAlpha = ...,
         alpha_cutoff: float = ...,
+        mortar: VectorLike = ...,
         uv_map: Any = ...,
         world_from_texture: Any = ...,
     ) -> None: ...
@@ -188,6 +189,7 @@ class Texture:
     encoding: TextureEncoding
     alpha: TextureAlpha
     alpha_cutoff: float
+    mortar: _VectorField
     uv_map: _UvMapField
     world_from_texture: _AffineField
     def __eq__(self, other: object) -> bool: ...

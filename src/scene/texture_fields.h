@@ -11,15 +11,16 @@ inline constexpr std::string_view k_filter_words[] = {"nearest", "bilinear"};
 inline constexpr std::string_view k_mix_words[] = {"multiply", "replace", "multiply_all"};
 inline constexpr std::string_view k_encoding_words[] = {"linear", "srgb"};
 inline constexpr std::string_view k_alpha_words[] = {"blend", "mask", "ignore"};
-inline constexpr std::string_view k_mapping_words[] = {
-    "uv", "planar", "spherical", "cylindrical", "checker", "onion", "rings", "boxes", "slabs", "leopard"};
+inline constexpr std::string_view k_mapping_words[] = {"uv",      "planar",  "spherical", "cylindrical",
+                                                       "checker", "onion",   "rings",     "boxes",
+                                                       "slabs",   "leopard", "bricks",    "hexagons"};
 
 template <> struct FieldMembers<Texture> {
     template <class Choice> using Chosen = FieldMember<Texture, Choice, ChoiceType>;
     using Any =
         std::variant<Chosen<TextureMapping>, Chosen<TextureWrap>, Chosen<TextureFilter>, Chosen<TextureMix>,
                      Chosen<TextureEncoding>, Chosen<TextureAlpha>, FieldMember<Texture, double, NumberType>,
-                     FieldMember<Texture, UvMap, UvMapType>>;
+                     FieldMember<Texture, Vec3, PointType>, FieldMember<Texture, UvMap, UvMapType>>;
 };
 
 /// .glint also has `file`, `texels` or `color_map`, and the keys of transforms.
@@ -41,6 +42,8 @@ inline constexpr ItemField<Texture> k_texture_fields[] = {
      "whether the surface is transparent where texels are, or has holes there, or neither"},
     {"alpha_cutoff", "alpha_cutoff", "cutoff of alpha", number_field(&Texture::alpha_cutoff, k_fraction),
      "with mask: texels of less alpha are holes"},
+    {"mortar", "mortar", "mortar", point_field(&Texture::mortar),
+     "of bricks: the parts of their length, height and depth that are mortar, 0 to 1"},
     {"uv_map", "uv_map", "map of u and v", uv_map_field(&Texture::uv_map),
      "two rows of three numbers: a u + b v + c and d u + e v + f are used instead of u and v"},
 };

@@ -193,6 +193,8 @@ TEST(DocumentedFields, OfTextures) {
                                    field.description);
             } else if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(value)>>) {
                 row += fmt::format(" | {} | {} |", default_text(value), field.description);
+            } else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, Vec3>) {
+                row += fmt::format(" | ({}, {}, {}) | {} |", value.x, value.y, value.z, field.description);
             } else {
                 row += fmt::format(" | ((1, 0, 0), (0, 1, 0)) | {} |", field.description);
             }

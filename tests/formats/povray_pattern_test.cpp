@@ -43,6 +43,69 @@ TEST(PovrayPatterns, CheckersHaveTwoColors) {
     EXPECT_EQ(pattern_texture("checker").filter, TextureFilter::nearest);
 }
 
+TEST(PovrayPatterns, BricksAndHexagonsHaveSizesAndColors) {
+    const Texture bricks = pattern_texture("brick rgb x rgb y brick_size <2, 4, 5> mortar 0.5 translate z");
+    EXPECT_EQ(bricks.color_map, (std::vector<TextureColor>{{0, {1, 0, 0}}, {0.5, {0, 1, 0}}}));
+    EXPECT_EQ(bricks.mortar, (Vec3{0.25, 0.125, 0.1}));
+    EXPECT_EQ(transform_point(bricks.world_from_texture, {1, 1, 1}), (Vec3{2, 4, 6}));
+    const Texture hexagons = pattern_texture("hexagon rgb x, rgb 0.5, rgb z");
+    EXPECT_EQ(hexagons.mapping, TextureMapping::hexagons);
+    EXPECT_EQ(hexagons.color_map,
+              (std::vector<TextureColor>{{0, {1, 0, 0}}, {0.25, {0.5, 0.5, 0.5}}, {0.5, {0, 0, 1}}}));
+}
+
+TEST(PovrayPatterns, MapsAreUsedFrom0To1) {
+    const auto map_of = [](const std::string& entries) {
+        return pattern_texture("onion color_map { " + entries + " }").color_map;
+    };
+    const std::vector<TextureColor> cut{{0, {0.5, 0.5, 0.5}}, {0.5, {1, 1, 1}}, {1, {0.5, 0.5, 0.5}}};
+    EXPECT_EQ(map_of("[-0.5 rgb 0] [0.5 rgb 1] [1.5 rgb 0]"), cut);
+    EXPECT_EQ(map_of("[-2 rgb 1] [-0.5 rgb 0] [0.5 rgb 1] [1.5 rgb 0] [2 rgb 1]"), cut);
+    EXPECT_EQ(map_of("[-1 rgb 0] [3 rgb 1]"),
+              (std::vector<TextureColor>{{0, {0.25, 0.25, 0.25}}, {1, {0.5, 0.5, 0.5}}}));
+    EXPECT_EQ(map_of("[1.5 rgb x] [2 rgb y]"), (std::vector<TextureColor>{{1, {1, 0, 0}}}));
+    EXPECT_EQ(map_of("[-2 rgb x] [-1 rgb y]"), (std::vector<TextureColor>{{0, {0, 1, 0}}}));
+    EXPECT_EQ(map_of("[0 rgb x] [1 rgb y] [1.5 rgb 0]"),
+              (std::vector<TextureColor>{{0, {1, 0, 0}}, {1, {0, 1, 0}}}));
+}
+
+// The warnings of a ball with this texture; the colors of its only pattern.
+std::string texture_messages(const std::string& texture, std::vector<TextureColor>& colors,
+                             Material& material) {
+    const Result<Scene> result =
+        read_povray("light_source { <0, 0, -9>, rgb 1 }\nsphere { 0, 1 texture { " + texture + " } }");
+    EXPECT_TRUE(result) << messages(result);
+    const Scene scene = result.value_or(Scene{});
+    EXPECT_EQ(scene.textures.size(), 1u) << texture;
+    if (!scene.textures.empty()) colors = scene.textures[0].color_map;
+    if (!scene.materials.empty()) material = scene.materials[0];
+    return messages(result);
+}
+
+TEST(PovrayPatterns, TexturesThatDifferInColorAreOfColors) {
+    const std::string finish = "finish { ambient 0.5 diffuse 0.25 }", a = "pigment { rgb x } " + finish,
+                      b = "pigment { rgb z } " + finish;
+    const std::vector<TextureColor> two{{0, {1, 0, 0}}, {0.5, {0, 0, 1}}};
+    std::vector<TextureColor> colors;
+    Material material;
+    EXPECT_EQ(
+        texture_messages("checker texture { " + a + " } texture { " + b + " } scale 2", colors, material),
+        "");
+    EXPECT_EQ(colors, two);
+    EXPECT_EQ(material.ambient, (Color{0.5, 0.5, 0.5}));
+    EXPECT_EQ(material.diffuse, (Color{0.25, 0.25, 0.25}));
+    EXPECT_EQ(texture_messages("onion texture_map { [0 " + a + "] [0.5, " + b + "] }", colors, material), "");
+    EXPECT_EQ(colors, two);
+    const std::string several =
+        texture_messages("checker texture { " + a + " } texture { pigment { rgb z } }", colors, material);
+    EXPECT_NE(several.find("several finishes"), std::string::npos) << several;
+    EXPECT_EQ(colors, two);
+    EXPECT_EQ(material.ambient, (Color{0.5, 0.5, 0.5}));
+    const std::string bumpy = texture_messages(
+        "checker texture { " + a + " } texture { " + b + " normal { bumps } }", colors, material);
+    EXPECT_NE(bumpy.find("`normal`"), std::string::npos) << bumpy;
+}
+
 TEST(PovrayPatterns, FrequencyPhaseAndWaveChangeU) {
     const auto change = [](const std::string& pigment) {
         const Texture t = pattern_texture(pigment);
@@ -68,9 +131,9 @@ TEST(PovrayPatterns, WhatIsNotDrawnIsSaid) {
     for (const std::string& pigment :
          {mapped("bozo"), mapped("onion", "turbulence 0.3"), mapped("onion", "frequency 1.5"),
           mapped("spherical", "frequency 2"), mapped("gradient x", "sine_wave"), std::string("onion"),
-          std::string("onion color_map { [0.5 rgb 1] [0.2 rgb 0] }"),
-          std::string("onion color_map { [0 rgb 1] [1.5 rgb 0] }"),
-          std::string("hexagon rgb x rgb y rgb z")}) {
+          std::string("onion color_map { [0.5 rgb 1] [0.2 rgb 0] }"), std::string("brick brick_size 0"),
+          std::string("tiles"), std::string("checker pigment { onion } pigment { rgb 1 }"),
+          std::string("onion pigment_map { [0 rgb 1] [1 checker] }")}) {
         const Result<Scene> result = read_pattern_ball(pigment);
         EXPECT_TRUE(result);
         EXPECT_NE(messages(result).find("a pattern"), std::string::npos) << pigment << "\n"

@@ -69,5 +69,23 @@ RULES = [
     sky("sky_turned", f"pigment {{ gradient <1, 2, 0> {MAP} scale 0.3 rotate 30*z }} rotate <10, 20, 30>"),
     sky("sky_planar", f"pigment {{ planar {MAP} }}"),
     sky("sky_planar_scaled", f"pigment {{ planar {MAP} scale 0.4 }} rotate 20*z"),
+    rule("brick", BALL % pigment("brick", "scale 0.1")),
+    rule("brick_colors", BALL % pigment("brick rgb <0.9, 0.2, 0.1>, rgb 0.8 brick_size <2, 1, 3> mortar 0.2", PLACE)),
+    rule("brick_thick", FLOOR + BALL % pigment("brick rgb 1 rgbt <0.9, 0.2, 0.1, 0.6> brick_size 0.4 mortar 0.15", "rotate 30*y")),
+    rule("brick_wall", "plane { -z, -0.5 %s }\nplane { y, -0.9 %s }\n" % (pigment("brick", "scale 0.1"), pigment("brick rgb x", "scale 0.2 translate 0.03"))),
+    rule("hexagon", BALL % pigment("hexagon", "scale 0.2")),
+    rule("hexagon_colors", BALL % pigment("hexagon rgb <0.9, 0.2, 0.1>, rgb 0.8 rgb <0.1, 0.3, 0.6>", PLACE)),
+    rule("hexagon_floor", FLOOR.replace("-1", "-1.5") + "plane { y, -0.9 %s }\n" % pigment("hexagon rgb 0.3 rgb 0.9 rgb <1, 0.5, 0.2>", "scale 0.3 rotate 20*y")),
+    rule("checker_pigments", BALL % pigment("checker pigment { rgb <0.9, 0.2, 0.1> } pigment { White } ".replace("White", "rgb 0.8"), PLACE)),
+    rule("checker_textures", "#declare A = texture { pigment { rgb <0.9, 0.2, 0.1> } %s }\n" % FINISH +
+         BALL % ("texture { checker texture { A } texture { pigment { rgb 0.8 } %s } %s }" % (FINISH, PLACE))),
+    rule("checker_textures_moved", "#declare A = texture { pigment { rgb <0.9, 0.2, 0.1> } %s }\n" % FINISH +
+         BALL % ("texture { checker texture { A } texture { A pigment { rgb 0.8 } } scale 0.3 } rotate 30*z scale 0.9")),
+    rule("texture_map", BALL % ("texture { gradient y texture_map { [0.2 pigment { rgb <0.9, 0.2, 0.1> } %s] [0.7, pigment { rgb 0.8 } %s] } %s }"
+                                % (FINISH, FINISH, PLACE))),
+    rule("pigment_map", "#declare P = pigment { rgb <0.1, 0.6, 0.2> }\n" +
+         BALL % pigment("onion pigment_map { [0 rgb <0.9, 0.2, 0.1>] [0.4 P] [0.4, color rgb 0.8] [1 P] }", PLACE)),
+    rule("map_beyond_1", BALL % pigment("gradient y color_map { [-0.5 rgb <0.9, 0.2, 0.1>] [0.6 rgb 0.9] [1.7 rgb <0.1, 0.2, 0.9>] }", PLACE)),
+    rule("map_of_one", BALL % pigment("gradient y color_map { [0.4 rgb <0.9, 0.2, 0.1>] [1.5 rgb <0.1, 0.2, 0.9>] } quick_color rgb x", PLACE)),
     rule("leopard", BALL % mapped("leopard", "scale 0.1")),
 ]

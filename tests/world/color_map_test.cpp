@@ -91,6 +91,41 @@ TEST(Patterns, HaveTheirNumberAtAPoint) {
     EXPECT_EQ(place_on(TextureMapping::leopard, p).u, mean * mean);
 }
 
+TEST(Patterns, BricksAreInMortar) {
+    const Vec3 mortar{0.1, 0.2, 0.3};
+    const auto u = [&](double x, double y, double z) {
+        return place_on(TextureMapping::bricks, {x, y, z}, mortar).u;
+    };
+    for (const double shift : {-4.0, 0.0, 2.0}) {
+        // An even layer, and an odd one.
+        EXPECT_EQ(u(shift + 0.89, shift + 0.79, shift + 0.19), 0.5);
+        EXPECT_EQ(u(shift + 0.91, shift + 0.79, shift + 0.19), 0);
+        EXPECT_EQ(u(shift + 0.89, shift + 0.81, shift + 0.19), 0);
+        EXPECT_EQ(u(shift + 0.89, shift + 0.79, shift + 0.21), 0);
+        EXPECT_EQ(u(shift + 0.89, shift + 0.79, shift + 0.51), 0.5);
+        EXPECT_EQ(u(shift + 0.39, shift + 1.79, shift + 0.69), 0.5);
+        EXPECT_EQ(u(shift + 0.41, shift + 1.79, shift + 0.69), 0);
+        EXPECT_EQ(u(shift + 0.39, shift + 1.79, shift + 0.71), 0);
+    }
+}
+
+TEST(Patterns, HexagonsDifferFromTheirNeighbours) {
+    const double height = std::sqrt(3);
+    const auto u = [](double x, double z) { return place_on(TextureMapping::hexagons, {x, 5, z}).u; };
+    for (int i = -4; i <= 4; ++i) {
+        for (int j = -4; j <= 4; ++j) {
+            const double x = 1.5 * i, z = height * (j + i * 0.5), expected = ((j + 2 * i) % 3 + 3) % 3 / 4.0;
+            // Just within its corners and sides; just beyond a side is another one.
+            for (int k = 0; k < 6; ++k) {
+                const double corner = k * M_PI / 3, side = corner + M_PI / 6;
+                EXPECT_EQ(u(x + 0.99 * std::cos(corner), z + 0.99 * std::sin(corner)), expected);
+                EXPECT_EQ(u(x + 0.86 * std::cos(side), z + 0.86 * std::sin(side)), expected);
+                EXPECT_NE(u(x + 0.87 * std::cos(side), z + 0.87 * std::sin(side)), expected);
+            }
+        }
+    }
+}
+
 TEST(Patterns, CheckersAlternate) {
     for (int x = -3; x < 3; ++x)
         for (int y = -3; y < 3; ++y)
@@ -121,6 +156,12 @@ TEST(ColorMaps, AreReadAndWritten) {
     EXPECT_EQ(bands, (std::vector<TextureColor>{{0, {1, 0, 0}}, {0.25, {0, 0, 1}, 0.5}, {1, {1, 1, 1}}}));
     const Scene again = quiet_scene(write_glint(scene).value(), "b.glint");
     EXPECT_EQ(again.textures, scene.textures);
+    const Scene wall = quiet_scene(std::string(k_color_scene) +
+                                       "texture wall { color_map = ((0, (1, 1, 1)), (0.5, (1, 0, 0)))  "
+                                       "mapping = bricks  filter = nearest  mortar = (0.05, 0.2, 0.1) }\n",
+                                   "a.glint");
+    EXPECT_EQ(wall.textures.back().mortar, (Vec3{0.05, 0.2, 0.1}));
+    EXPECT_EQ(quiet_scene(write_glint(wall).value(), "b.glint").textures, wall.textures);
 }
 
 TEST(ColorMaps, ThePixelIsTheSumOfItsTerms) {

@@ -20,14 +20,14 @@ bool MissingList::has_error() const {
     return std::any_of(list_.begin(), list_.end(), [](const Missing& m) { return m.is_error; });
 }
 
-// The rest of a block, up to its `}`.
+// The rest of a block or of an entry of a map, up to its `}` or `]`.
 void TextureParser::skip_rest() {
     int open = 0;
     while (!failed()) {
         const Token& token = peek();
         if (token.kind == TokenKind::end) return expected("`}`");
-        if (token.is('{')) ++open;
-        if (token.is('}') && open-- == 0) return;
+        if (token.is('{') || token.is('[')) ++open;
+        if ((token.is('}') || token.is(']')) && open-- == 0) return;
         take();
     }
 }

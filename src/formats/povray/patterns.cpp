@@ -12,8 +12,6 @@
 namespace glint::povray {
 namespace {
 
-constexpr std::size_t k_max_map = 256;  // entries of a color_map; POV-Ray's limit
-
 // The axes turned: x, y, z of the mapping are x, y, z of the pattern's row.
 constexpr Affine k_same{};
 constexpr Affine k_y_is_z{{{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}}};
@@ -43,6 +41,8 @@ constexpr PatternRow k_patterns[] = {
     {"planar", TextureMapping::slabs, Range::inward, false, 0, k_x_is_y},
     {"boxed", TextureMapping::boxes, Range::inward},
     {"leopard", TextureMapping::leopard, Range::plain},
+    {"brick", TextureMapping::bricks},
+    {"hexagon", TextureMapping::hexagons},
 };
 
 // A rotation that takes the x axis to a direction of length 1.
@@ -56,11 +56,18 @@ double opacity_of(const std::array<double, 5>& color) {
     return std::clamp(1 - color[3] - color[4], 0.0, 1.0);
 }
 
-// Whether the places of the colors are from 0 to 1 and in order.
-bool is_in_order(const CountedVector<ColorMapEntry>& map) {
-    const auto is_less = [](const ColorMapEntry& a, const ColorMapEntry& b) { return a.at < b.at; };
-    return map.empty() ||
-           (map.front().at >= 0 && map.back().at <= 1 && std::is_sorted(map.begin(), map.end(), is_less));
+// Patterns of a few colors with sharp borders, and these colors.
+std::vector<TextureColor> block_colors(TextureMapping mapping) {
+    switch (mapping) {
+        case TextureMapping::checker:
+            return {{0, {0, 0, 1}}, {0.5, {0, 1, 0}}};
+        case TextureMapping::bricks:
+            return {{0, {0.5, 0.5, 0.5}}, {0.5, {0.6, 0.15, 0.15}}};
+        case TextureMapping::hexagons:
+            return {{0, {0, 0, 1}}, {0.25, {0, 1, 0}}, {0.5, {1, 0, 0}}};
+        default:
+            return {};
+    }
 }
 
 // How `frequency`, `phase` and the wave change u: factor u + offset, wrapped. Nothing if the engine has no
@@ -86,7 +93,8 @@ std::optional<Change> change_of(const PatternRow& row, const PatternItems& items
 
 // The pattern of this word, after it, or nothing if it is not drawn: the pigment is `missing` then. Reads the
 // rest of the block. map: of the transforms in the block.
-void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optional<Affine>& map) {
+void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optional<Affine>& map,
+                                 PatternParts& parts) {
     const auto row = std::find_if(std::begin(k_patterns), std::end(k_patterns),
                                   [&](const PatternRow& p) { return p.word == text_of(item); });
     pigment.missing = missing(item, text_of(item));
@@ -101,8 +109,9 @@ void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optio
     texture.world_from_texture = row->pattern_from_mapping;
     PatternItems items;
     Vec3 axis{1, 0, 0};
-    const bool is_block = row->mapping == TextureMapping::checker;
-    bool has_filter = is_block && read_block_colors(texture);
+    texture.color_map = block_colors(row->mapping);
+    const bool is_block = !texture.color_map.empty();
+    bool has_filter = is_block && read_block_colors(texture, parts);
     if (row->word == "gradient") {
         const Token at = peek();
         axis = vector();
@@ -110,8 +119,16 @@ void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optio
         axis = normalize(axis);  // its length does not count in POV-Ray
         texture.world_from_texture = x_to(axis);
     }
-    read_pattern_items(items, map);
+    read_pattern_items(items, map, parts);
     if (failed()) return;
+    items.is_known = items.is_known && parts.are_plain;
+    if (row->mapping == TextureMapping::bricks) {
+        const Vec3 size = items.brick_size;
+        if (!(size.x > 0 && size.y > 0 && size.z > 0)) return;
+        texture.world_from_texture = scaling(size);
+        const auto part = [&](double side) { return std::clamp(items.mortar / side, 0.0, 1.0); };
+        texture.mortar = {part(size.x), part(size.y), part(size.z)};
+    }
     const bool is_plain = items.frequency == 1 && items.phase == 0 && !items.is_triangle.value_or(false);
     if (row->word == "gradient" && items.is_known && is_plain) {
         auto gradient = make_counted<GradientPattern>();
@@ -136,35 +153,45 @@ void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optio
     pigment.image_number = ++images_;
 }
 
-// The colors of a checker, which has blue and green by itself; whether one has a filter.
-bool TextureParser::read_block_colors(glint::Texture& texture) {
+// The colors of a pattern that has some by itself, in place of these; whether one has a filter.
+bool TextureParser::read_block_colors(glint::Texture& texture, PatternParts& parts) {
     texture.filter = TextureFilter::nearest;
-    texture.color_map = {{0, {0, 0, 1}}, {0.5, {0, 1, 0}}};
     bool has_filter = false;
     for (TextureColor& entry : texture.color_map) {
-        const Token next = peek();
-        const bool is_name =
-            next.kind == TokenKind::word && !Names::is_reserved(next.name) && find_value(next) != nullptr;
-        if (failed() || !(begins_color(next) || begins_number(next) || is_name)) break;
-        const std::array<double, 5> c = color(true);
-        entry.color = rgb_of(c);
-        entry.alpha = opacity_of(c);
-        has_filter = has_filter || c[3] != 0;
+        const std::optional<std::array<double, 5>> c = read_block_color(parts);
+        if (failed() || !c) break;
+        entry.color = rgb_of(*c);
+        entry.alpha = opacity_of(*c);
+        has_filter = has_filter || (*c)[3] != 0;
         accept(',');
     }
     return has_filter;
 }
 
-void TextureParser::read_pattern_items(PatternItems& items, std::optional<Affine>& map) {
-    while (!failed() && !peek().is('}')) {
+void TextureParser::read_pattern_items(PatternItems& items, std::optional<Affine>& map, PatternParts& parts) {
+    while (!failed() && !peek().is('}') && !peek().is(']')) {
         if (read_transform_item(map)) continue;
         if (accept(Word::k_color_map) || accept(Word::k_colour_map)) {
-            items.is_known = read_color_map(items.map) && is_in_order(items.map) && items.is_known;
+            items.is_known = read_color_map(items.map) && use_from_0_to_1(items.map) && items.is_known;
+            continue;
+        }
+        if (accept(Word::k_quick_color) || accept(Word::k_quick_colour)) {
+            color(true);
             continue;
         }
         const Token item = peek();
         const std::string_view word = item.kind == TokenKind::word ? text_of(item) : std::string_view();
-        if (word == "frequency" || word == "phase") {
+        if (word == "pigment_map" || word == "texture_map") {
+            take();
+            parts.are_textures = word == "texture_map";
+            items.is_known = read_part_map(items.map, parts) && use_from_0_to_1(items.map) && items.is_known;
+        } else if (word == "brick_size") {
+            take();
+            items.brick_size = vector();
+        } else if (word == "mortar") {
+            take();
+            items.mortar = number();
+        } else if (word == "frequency" || word == "phase") {
             take();
             (word == "phase" ? items.phase : items.frequency) = number();
         } else if (word == "ramp_wave" || word == "triangle_wave") {
@@ -175,50 +202,6 @@ void TextureParser::read_pattern_items(PatternItems& items, std::optional<Affine
             skip_rest();
         }
     }
-}
-
-const Opaque* TextureParser::named_block(const Token& name, Word word) {
-    const Value* const value = name.kind == TokenKind::word ? find_value(name) : nullptr;
-    const auto* const held = value ? std::get_if<std::shared_ptr<const Opaque>>(value) : nullptr;
-    return held && (*held)->word == word ? held->get() : nullptr;
-}
-
-// { [identifier] [number color] ... }; also [number number color color]. False for a map without colors.
-bool TextureParser::read_color_map(CountedVector<ColorMapEntry>& map) {
-    if (!expect('{')) return false;
-    while (!failed() && !accept('}')) {
-        const Token at = peek();
-        const Opaque* named = named_block(at, Word::k_color_map);
-        if (!named) named = named_block(at, Word::k_colour_map);
-        if (named) {
-            take();
-            map = named->map;
-            continue;
-        }
-        if (!at.is('[')) {
-            skip_rest();
-            continue;
-        }
-        take();
-        ColorMapEntry entry{number(), {}};
-        std::optional<double> second;
-        accept(',');
-        const Numbers next = begins_color(peek()) ? color_value() : expression();
-        if (next.terms == 1) {
-            second = next.v[0];
-            accept(',');
-            entry.color = color(true);
-        } else {
-            entry.color = promoted(next, 5).v;
-        }
-        map.push_back(entry);
-        accept(',');
-        if (second) map.push_back({*second, color(true)});
-        expect(']');
-        accept(',');
-        if (map.size() > k_max_map) error(at, fmt::format("expected at most {} entries", k_max_map));
-    }
-    return !failed() && !map.empty();
 }
 
 }  // namespace glint::povray

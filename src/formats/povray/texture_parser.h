@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Textures, materials and transforms, and blocks that are read over. In textures.cpp, finishes.cpp,
-// patterns.cpp, sky.cpp, image_maps.cpp, blocks.cpp and transforms.cpp.
+// patterns.cpp, pattern_maps.cpp, sky.cpp, image_maps.cpp, blocks.cpp and transforms.cpp.
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -28,7 +28,18 @@ struct PatternItems {
     CountedVector<ColorMapEntry> map;
     double frequency = 1, phase = 0;
     std::optional<bool> is_triangle;  ///< else a ramp
-    bool is_known = true;             ///< nothing that the engine does not draw
+    Vec3 brick_size{8, 3, 4.5};
+    double mortar = 0.5;
+    bool is_known = true;  ///< nothing that the engine does not draw
+};
+
+/// The colors of a pattern of pigments or of whole textures.
+struct PatternParts {
+    bool are_textures = false;
+    std::optional<Texture> first{};  ///< of textures: its finish is that of all
+    MissingList missing{};           ///< of the textures
+    bool have_one_finish = true;
+    bool are_plain = true;  ///< pigments of one color
 };
 
 class TextureParser : public ValueParser {
@@ -60,16 +71,23 @@ class TextureParser : public ValueParser {
     Missing missing(const Token& at, std::string_view name);
 
   private:
-    void read_texture_items(Texture& texture);
+    void read_pigment_items(Pigment& pigment, char end);
+    void read_texture_items(Texture& texture, char end);
+    void read_texture_pattern(Texture& texture, const Token& item);
     void transform_image(Pigment& pigment, const std::optional<Affine>& step);
     void read_image_map(Pigment& pigment, const Token& at);
     void read_image_item(const Token& at, ImageItems& items);
     std::shared_ptr<const TextureImage> open_image(const ImageItems& items, glint::Texture& texture);
     bool accept_albedo();
     void read_reflection(Finish& finish);
-    void read_pattern(Pigment& pigment, const Token& item, std::optional<Affine>& map);
-    bool read_block_colors(glint::Texture& texture);
-    void read_pattern_items(PatternItems& items, std::optional<Affine>& map);
+    void read_pattern(Pigment& pigment, const Token& item, std::optional<Affine>& map, PatternParts& parts);
+    bool read_block_colors(glint::Texture& texture, PatternParts& parts);
+    std::optional<std::array<double, 5>> read_block_color(PatternParts& parts);
+    void read_pattern_items(PatternItems& items, std::optional<Affine>& map, PatternParts& parts);
+    static bool use_from_0_to_1(CountedVector<ColorMapEntry>& map);
+    bool read_part_map(CountedVector<ColorMapEntry>& map, PatternParts& parts);
+    std::array<double, 5> color_of(const Pigment& pigment, PatternParts& parts);
+    std::array<double, 5> color_of(const Texture& texture, PatternParts& parts);
     bool read_color_map(CountedVector<ColorMapEntry>& map);
     Opaque read_interior(const Token& at);
     Affine read_matrix();

@@ -20,13 +20,17 @@ Missing TextureParser::missing(const Token& at, std::string_view name) {
     return {name, povray_meaning(name), call_place(at)};
 }
 
-// { [identifier] items }
 void TextureParser::read_pigment(Pigment& pigment) {
+    if (expect('{')) read_pigment_items(pigment, '}');
+}
+
+// [identifier] items, and the symbol at the end
+void TextureParser::read_pigment_items(Pigment& pigment, char end) {
     const Deeper deeper(*this);
-    if (!deeper.ok || !expect('{')) return;
+    if (!deeper.ok) return;
     std::optional<Affine> map;  // of the pattern
     bool is_placed = false;     // by a named pigment's uv_mapping
-    while (!failed() && !accept('}')) {
+    while (!failed() && !accept(end)) {
         const Token item = peek();
         if (begins_color(item)) {
             pigment = color_pigment(color(false));
@@ -65,23 +69,24 @@ void TextureParser::read_pigment(Pigment& pigment) {
         if (item.kind != TokenKind::word) {
             return error(item, fmt::format("expected a color or a pattern, found {}", describe(item)));
         }
-        read_pattern(pigment, item, map);
+        PatternParts parts;
+        read_pattern(pigment, item, map, parts);
     }
     if (!is_placed) transform_image(pigment, map);
 }
 
 Texture TextureParser::read_texture() {
     Texture texture = default_texture_;
-    read_texture_items(texture);
+    if (expect('{')) read_texture_items(texture, '}');
     return texture;
 }
 
-// { [identifier] items }
-void TextureParser::read_texture_items(Texture& texture) {
+// [identifier] items, and the symbol at the end
+void TextureParser::read_texture_items(Texture& texture, char end) {
     const Deeper deeper(*this);
-    if (!deeper.ok || !expect('{')) return;
+    if (!deeper.ok) return;
     bool is_placed = false;  // by a named texture's uv_mapping
-    while (!failed() && !accept('}')) {
+    while (!failed() && !accept(end)) {
         const Token item = peek();
         if (std::optional<Affine> step; read_transform_item(step)) {
             if (!is_placed && !texture.pigment.is_uv) transform_image(texture.pigment, step);
@@ -110,14 +115,31 @@ void TextureParser::read_texture_items(Texture& texture) {
             } else if (const auto pigment = named<Pigment>(item)) {
                 texture.pigment = *pigment;
             } else if (!is_name && item.kind == TokenKind::word) {
-                texture.missing.add(missing(item, text_of(item)));  // a map of textures, tiles, ...
-                skip_rest();
+                read_texture_pattern(texture, item);
             } else {
                 return error(item, fmt::format("expected `pigment`, `finish` or a texture, found {}{}",
                                                describe(item), what_is(item)));
             }
         }
     }
+}
+
+// A pattern of whole textures: those that differ in color only are a pattern of colors.
+void TextureParser::read_texture_pattern(Texture& texture, const Token& item) {
+    PatternParts parts;
+    parts.are_textures = true;
+    std::optional<Affine> map;
+    Pigment pigment = texture.pigment;
+    read_pattern(pigment, item, map, parts);
+    transform_image(pigment, map);
+    if (parts.first) texture = *parts.first;
+    if (pigment.missing && !pigment.image && parts.first)
+        pigment.color = parts.first->pigment.color;  // the color of the first one, with the warning
+    texture.pigment = pigment;
+    for (const Missing& missing : parts.missing) texture.missing.add(missing);
+    if (!parts.have_one_finish)
+        texture.missing.add({text_of(item), "of textures with several finishes: all have that of the first",
+                             call_place(item)});
 }
 
 // The texture `top` over `below`.

@@ -131,6 +131,36 @@ double leopard(Vec3 p) {
     return mean * mean;
 }
 
+// 0 in the mortar, else 0.5.
+double bricks(Vec3 p, Vec3 mortar) {
+    const auto is_mortar = [](double at, double part) {
+        at += k_checker_margin;
+        return at - std::floor(at) >= 1 - part;
+    };
+    const double layer = std::floor(p.y + k_checker_margin);
+    const bool is_odd = layer - 2 * std::floor(layer / 2) > 0;
+    const bool is_in_mortar = is_mortar(p.y, mortar.y) || is_mortar(p.x + (is_odd ? 0.5 : 0), mortar.x) ||
+                              is_mortar(p.z + (is_odd ? 0 : 0.5), mortar.z);
+    return is_in_mortar ? 0 : 0.5;
+}
+
+// The hexagons around the points (1.5 i, sqrt(3) (j + i / 2)) of x and z: (j + 2 i modulo 3) / 4 in the
+// nearest one, which is in one of the two columns beside x.
+double hexagons(Vec3 p) {
+    constexpr double k_height = 0x1.bb67ae8584caap+0;  // sqrt(3)
+    double best = 0, number = 0;
+    const double column = std::floor(p.x / 1.5);
+    for (int k = 0; k < 2; ++k) {
+        const double i = column + k, row = std::floor(p.z / k_height - i / 2 + 0.5);
+        const double x = p.x - 1.5 * i, z = p.z - k_height * (row + i / 2);
+        const double distance = x * x + z * z;
+        if (k > 0 && distance >= best) continue;
+        best = distance;
+        number = row + 2 * i;
+    }
+    return (number - 3 * std::floor(number / 3)) / 4;
+}
+
 // The color map at u from 0 to 1.
 TextureSample sample_colors(const PreparedTexture& texture, TexturePlace place, double u) {
     const MapColor found = map_color(texture.color_map, u, texture.filter);
@@ -147,7 +177,7 @@ std::optional<TexturePlace> surface_uv(const PackedGeometry& geometry, const Pre
         if (!uv) return std::nullopt;
         return TexturePlace{uv->x, uv->y};
     }
-    return place_on(texture.mapping, transform_point(texture.texture_from_world, point));
+    return place_on(texture.mapping, transform_point(texture.texture_from_world, point), texture.mortar);
 }
 
 }  // namespace
@@ -171,7 +201,7 @@ std::vector<PreparedTexture> prepare_textures(std::span<const Texture> textures)
     return prepared;
 }
 
-TexturePlace place_on(TextureMapping mapping, Vec3 p) {
+TexturePlace place_on(TextureMapping mapping, Vec3 p, Vec3 mortar) {
     switch (mapping) {
         case TextureMapping::spherical:
             return TexturePlace{around(p), up(p)};
@@ -190,6 +220,10 @@ TexturePlace place_on(TextureMapping mapping, Vec3 p) {
             return TexturePlace{number::abs(p.x), 0};
         case TextureMapping::leopard:
             return TexturePlace{leopard(p), 0};
+        case TextureMapping::bricks:
+            return TexturePlace{bricks(p, mortar), 0};
+        case TextureMapping::hexagons:
+            return TexturePlace{hexagons(p), 0};
         case TextureMapping::planar:
         case TextureMapping::uv:
             break;

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// The colors of patterns: color_map, and pigments and textures that differ in color only.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "formats/povray/texture_parser.h"
+
+namespace glint::povray {
+namespace {
+
+constexpr std::size_t k_max_map = 256;  // entries of a color_map; POV-Ray's limit
+
+bool is_in_order(const CountedVector<ColorMapEntry>& map) {
+    const auto is_less = [](const ColorMapEntry& a, const ColorMapEntry& b) { return a.at < b.at; };
+    return std::is_sorted(map.begin(), map.end(), is_less);
+}
+
+// The colors of a map, in order, from 0 to 1: those at 0 and 1 in place of colors beyond.
+CountedVector<ColorMapEntry> from_0_to_1(const CountedVector<ColorMapEntry>& map) {
+    CountedVector<ColorMapEntry> out;
+    out.reserve(map.size() + 1);
+    const auto add_between = [&](const ColorMapEntry& a, const ColorMapEntry& b, double at) {
+        ColorMapEntry entry{at, a.color};
+        for (std::size_t c = 0; c < entry.color.size(); ++c)
+            entry.color[c] += (b.color[c] - a.color[c]) * ((at - a.at) / (b.at - a.at));
+        out.push_back(entry);
+    };
+    for (std::size_t i = 0; i < map.size(); ++i) {
+        const ColorMapEntry& entry = map[i];
+        const bool crosses_0 = i > 0 && map[i - 1].at < 0 && entry.at > 0;
+        if (crosses_0) add_between(map[i - 1], entry, 0);
+        if (entry.at > 1) {
+            if (i > 0 && map[i - 1].at < 1) add_between(map[i - 1], entry, 1);
+            if (out.empty()) out.push_back({1, entry.color});
+            return out;
+        }
+        if (entry.at >= 0) out.push_back(entry);
+    }
+    if (out.empty() && !map.empty()) out.push_back({0, map.back().color});
+    return out;
+}
+
+}  // namespace
+
+// Makes a map one of places from 0 to 1. False if its places are not in order.
+bool TextureParser::use_from_0_to_1(CountedVector<ColorMapEntry>& map) {
+    if (!is_in_order(map)) return false;
+    map = from_0_to_1(map);
+    return true;
+}
+
+// A color, a pigment or a texture, or nothing.
+std::optional<std::array<double, 5>> TextureParser::read_block_color(PatternParts& parts) {
+    const Token next = peek();
+    if (accept(Word::k_texture)) {
+        parts.are_textures = true;
+        return color_of(read_texture(), parts);
+    }
+    if (accept(Word::k_pigment)) {
+        Pigment pigment = default_texture().pigment;
+        read_pigment(pigment);
+        return color_of(pigment, parts);
+    }
+    const bool is_name =
+        next.kind == TokenKind::word && !Names::is_reserved(next.name) && find_value(next) != nullptr;
+    if (!(begins_color(next) || begins_number(next) || is_name)) return std::nullopt;
+    return color(true);
+}
+
+// The color of a pigment of one color.
+std::array<double, 5> TextureParser::color_of(const Pigment& pigment, PatternParts& parts) {
+    parts.are_plain = parts.are_plain && !pigment.missing && !pigment.image && pigment.image_number == 0;
+    return pigment.color;
+}
+
+std::array<double, 5> TextureParser::color_of(const Texture& texture, PatternParts& parts) {
+    for (const Missing& missing : texture.missing) parts.missing.add(missing);
+    parts.are_plain = parts.are_plain && !texture.is_layered;
+    if (parts.first) {
+        Texture recolored = texture;
+        recolored.pigment = parts.first->pigment;
+        const bool is_same = numbers_of(recolored) == numbers_of(*parts.first) &&
+                             texture.finish.missing.empty() == parts.first->finish.missing.empty();
+        parts.have_one_finish = parts.have_one_finish && is_same;
+    } else {
+        parts.first = texture;
+    }
+    return color_of(texture.pigment, parts);
+}
+
+// { [number pigment] ... }, or of textures.
+bool TextureParser::read_part_map(CountedVector<ColorMapEntry>& map, PatternParts& parts) {
+    if (!expect('{')) return false;
+    while (!failed() && !accept('}')) {
+        const Token at = peek();
+        if (!at.is('[')) {  // a named map
+            skip_rest();
+            parts.are_plain = false;
+            continue;
+        }
+        take();
+        ColorMapEntry entry{number(), {}};
+        accept(',');
+        if (parts.are_textures) {
+            Texture texture = default_texture();
+            read_texture_items(texture, ']');
+            entry.color = color_of(texture, parts);
+        } else {
+            Pigment pigment = default_texture().pigment;
+            read_pigment_items(pigment, ']');
+            entry.color = color_of(pigment, parts);
+        }
+        accept(',');
+        map.push_back(entry);
+        if (map.size() > k_max_map) error(at, fmt::format("expected at most {} entries", k_max_map));
+    }
+    return !failed() && !map.empty();
+}
+
+const Opaque* TextureParser::named_block(const Token& name, Word word) {
+    const Value* const value = name.kind == TokenKind::word ? find_value(name) : nullptr;
+    const auto* const held = value ? std::get_if<std::shared_ptr<const Opaque>>(value) : nullptr;
+    return held && (*held)->word == word ? held->get() : nullptr;
+}
+
+// { [identifier] [number color] ... }; also [number number color color]. False for a map without colors.
+bool TextureParser::read_color_map(CountedVector<ColorMapEntry>& map) {
+    if (!expect('{')) return false;
+    while (!failed() && !accept('}')) {
+        const Token at = peek();
+        const Opaque* named = named_block(at, Word::k_color_map);
+        if (!named) named = named_block(at, Word::k_colour_map);
+        if (named) {
+            take();
+            map = named->map;
+            continue;
+        }
+        if (!at.is('[')) {
+            skip_rest();
+            continue;
+        }
+        take();
+        ColorMapEntry entry{number(), {}};
+        std::optional<double> second;
+        accept(',');
+        const Numbers next = begins_color(peek()) ? color_value() : expression();
+        if (next.terms == 1) {
+            second = next.v[0];
+            accept(',');
+            entry.color = color(true);
+        } else {
+            entry.color = promoted(next, 5).v;
+        }
+        map.push_back(entry);
+        accept(',');
+        if (second) map.push_back({*second, color(true)});
+        expect(']');
+        accept(',');
+        if (map.size() > k_max_map) error(at, fmt::format("expected at most {} entries", k_max_map));
+    }
+    return !failed() && !map.empty();
+}
+
+}  // namespace glint::povray
