@@ -47,6 +47,8 @@ test('the core says what it leaves out, and the whole does not', async () => {
         'the same in an included text': (glint) => glint.open({texts: [{name: 'a.glint', text: 'include "ball.pov"\n'}], includes: [ball]}),
         "Tachyon's scenes": (glint) => glint.open({texts: [{name: 'a.dat', text: 'BEGIN_SCENE\nRESOLUTION 4 3\nEND_SCENE\n'}]}),
         "CSC 473's scenes": (glint) => glint.open({texts: [read('csc473/cone_tower.pov')]}),
+        solids: (glint) => glint.open({texts: [{name: 'a.glint', text: 'merge { sphere { center = (0, 0, 0) radius = 1 } }\n'}]}),
+        'fog outside of objects': (glint) => glint.open({texts: [{name: 'a.glint', text: 'fog { density = 0.1 } conventions { fog_extent = outside_objects } sphere { center = (0, 0, 0) radius = 1 }\n'}]}),
         '.nff': (glint) => glint.open({texts: [read('nff/pyramid.nff')]}),
         '.stl': (glint) => glint.open({texts: [{name: 'a.stl', text: 'solid a\nendsolid a\n'}]}),
         "Wavefront's meshes": (glint) => glint.open({texts: [{name: 'a.obj', text: 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n'}]}),

@@ -12,7 +12,6 @@
 #include "bvh/traverse_any-inl.h"
 #include "trace/hits/instances-inl.h"
 #include "trace/hits/intersect-inl.h"
-#include "trace/hits/solids-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {

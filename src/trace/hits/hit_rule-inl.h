@@ -179,7 +179,7 @@ struct ShapeTests {
     /// See trace/hits/instances-inl.h.
     HWY_NOINLINE void instances_leaf(const ShapeClass& shapes, const RayPacket& packet, std::uint64_t active,
                                      std::uint32_t first, std::uint32_t count);
-    /// See trace/hits/solids-inl.h.
+    /// See trace/hits/solids-inl.h; in an object of its own, solids.cpp.
     HWY_NOINLINE void solids_leaf(const ShapeClass& shapes, const RayPacket& packet, std::uint64_t active,
                                   std::uint32_t first, std::uint32_t count);
 

@@ -111,9 +111,7 @@ bool has_glass(const WorldParts& parts) {
 
 }  // namespace
 
-void set_interiors(WorldParts& parts) {
-    parts.interiors = {};
-    if (!parts.fog || parts.conventions.fog_extent != FogExtent::outside_objects) return;
+void find_interiors(WorldParts& parts) {
     FogInteriors& found = parts.interiors;
     find_camera_interiors(parts, found);
     found.tracked =
