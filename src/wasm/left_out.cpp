@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // glint-core.wasm, which the page starts with, is linked from the same objects as glint.wasm, but with these
-// functions in place of solids, fog outside of objects, formats/povray, the readers of CSC 473's, Tachyon's and .nff scenes, of .obj, .stl
-// and glTF, compare, check, diagnose and the decoders of textures: almost half of the file. They are all that
-// others call of these, so the linker takes nothing else of them. A call that needs one cannot be answered:
-// glint_left_out() then says so, and the page repeats it with glint.wasm.
+// functions in place of solids, fog outside of objects, formats/povray, the readers of CSC 473's, Tachyon's
+// and .nff scenes, of .obj, .stl and glTF, compare, check, diagnose and the decoders of textures: almost half
+// of the file. They are all that others call of these, so the linker takes nothing else of them. A call that
+// needs one cannot be answered: glint_left_out() then says so, and the page repeats it with glint.wasm.
 #include <cstdint>
 
 #include "formats/csc473.h"
@@ -41,8 +41,8 @@ PackedSolid pack_solid(const Primitives&, const PrimitiveSolid&, std::span<const
                        std::uint32_t, std::span<PackedOperand>) {
     return {};
 }
-void HWY_NAMESPACE::ShapeTests::solids_leaf(const ShapeClass&, const RayPacket&, std::uint64_t,
-                                            std::uint32_t, std::uint32_t) {}
+void HWY_NAMESPACE::ShapeTests::solids_leaf(const ShapeClass&, const RayPacket&, std::uint64_t, std::uint32_t,
+                                            std::uint32_t) {}
 
 void find_interiors(WorldParts&) { leave_out(); }
 std::uint32_t camera_interiors_at(const WorldParts&, Vec3) { return 0; }
