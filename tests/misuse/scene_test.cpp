@@ -237,9 +237,9 @@ TEST(Misuse, OfLights) {
     const Light odd{
         .kind = beyond<LightKind>(), .position = {k_nan, 0, 0}, .attenuation = {k_nan, k_nan, k_nan}};
     EXPECT_FALSE(odd.is_ambient() || odd.has_position() || odd.has_direction() || odd.has_attenuation() ||
-                 odd.falls_off() || odd.fades() || odd.is_spot() || odd.is_parallelogram() || odd.is_disc() ||
-                 odd.is_sphere() || odd.is_area() || odd.is_flat() || odd.has_radius() || odd.has_axis() ||
-                 odd.has_emitter_cosine());
+                 odd.falls_off() || odd.moves_samples() || odd.fades() || odd.is_spot() ||
+                 odd.is_parallelogram() || odd.is_disc() || odd.is_sphere() || odd.is_area() ||
+                 odd.is_flat() || odd.has_radius() || odd.has_axis() || odd.has_emitter_cosine());
     EXPECT_TRUE(odd.has_specular_color());  // as of all that are not ambient
     EXPECT_EQ(odd.way_from({k_nan, k_nan, k_nan}), odd.to_light);
 }
@@ -249,6 +249,7 @@ TEST(Misuse, OfFogAndSamples) {
     const Fog odd{.kind = beyond<FogKind>(), .density = k_nan, .end = k_nan};
     EXPECT_TRUE(odd.has_density());
     EXPECT_FALSE(odd.has_end());
+    EXPECT_FALSE(odd.has_falloff() || odd.is_on_ground());
     Scene scene = some_scene();
     scene.fog = odd;
     EXPECT_FALSE(prepare(scene));
