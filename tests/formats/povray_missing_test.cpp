@@ -241,6 +241,19 @@ TEST(PovRayMissing, CutsOutsideThePictureAreNone) {
         EXPECT_EQ(said(camera + ball), "") << ball;
         EXPECT_EQ(povray_scene(camera + ball).shapes.at(0).kind, ShapeKind::solid) << ball;
     }
+    // Of two cuts, one is seen.
+    EXPECT_EQ(povray_scene(camera + "sphere { <0, 1, 3>, 1 clipped_by { plane { -z, -3 } } " + inside +
+                           "no_shadow }")
+                  .shapes.at(0)
+                  .kind,
+              ShapeKind::solid);
+    // A shape that is not there is not cut, and neither is the next one.
+    const auto shapes = povray_scene(camera +
+                                     "sphere { <0, 1, 3>, 0 clipped_by { box { 0, <4, 2, 2> } } "
+                                     "no_shadow } sphere { <2, 1, 3>, 1 }")
+                            .shapes;
+    ASSERT_EQ(shapes.size(), 1u);
+    EXPECT_EQ(shapes[0].kind, ShapeKind::sphere);
     const std::string perspective = "camera { location <2, 1, -5> look_at <2, 1, 0> right 4*x up 2*y }\n";
     EXPECT_EQ(povray_scene(perspective + "sphere { <0, 1, 3>, 1 " + inside + "no_shadow }").shapes.at(0).kind,
               ShapeKind::solid)

@@ -15,7 +15,7 @@ void SceneBuilder::check_clips() {
     for (const UncutShape& uncut : clips_) {
         if (stream_.failed()) return;
         if (!has_mirrors && !is_seen(*uncut.clip, scene_)) continue;
-        const bool is_cut = uncut.has_inside && uncut.shape < scene_.shapes.size() &&
+        const bool is_cut = uncut.has_inside &&
                             std::all_of(uncut.objects.begin(), uncut.objects.end(),
                                         [](const ClipObject& clip) { return encloses_space(*clip.object); });
         if (is_cut) {

@@ -92,17 +92,11 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
     }
     report(object.missing);
     if (object.no_reflection && !no_reflection_) no_reflection_ = stream_.call_place(*object.no_reflection);
-    if (object.clip) {
-        // If the camera does not see what is cut, it is not cut: Jmol cuts by the box of the picture.
-        const bool may_be_unseen = !from.map && object.map == object.clip->map && own.is_no_shadow &&
-                                   !own.in_solid && !own.clips && !object.clip->halves.empty();
-        if (may_be_unseen) {
-            clips_.push_back(
-                {object.clip, object.clips, scene_.shapes.size(), encloses_space(object), object.at});
-        } else if (!add_clips(object, from, own)) {
-            report(object.clip->missing);
-        }
-    }
+    // If the camera does not see what is cut, it is not cut: Jmol cuts by the box of the picture.
+    const bool may_be_unseen = object.clip && object.clips.size() == 1 && !from.map &&
+                               object.map == object.clip->map && own.is_no_shadow && !own.in_solid &&
+                               !own.clips && !object.clip->halves.empty();
+    if (object.clip && !may_be_unseen && !add_clips(object, from, own)) report(object.clip->missing);
     switch (object.kind) {
         case ObjectKind::refused:
             return;
@@ -120,6 +114,9 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
     } else {
         place_shape(object, own);
     }
+    // A mesh of one face is gathered with others.
+    if (may_be_unseen && (scene_.shapes.size() > first || object.kind == ObjectKind::mesh))
+        clips_.push_back({object.clip, object.clips, first, encloses_space(object)});
     if (own.in_solid || own.clips) finish_operand(object, own, first);
     if (own.in_solid) return;
     if (own.clips && scene_.shapes.size() > first) {

@@ -2,8 +2,7 @@
 // Groups, solids and what clipped_by cuts off. (Measured: tests/peers/solids.py)
 //   - A union in a solid keeps its inner surfaces, unless the solid is outside of it; a merge has none.
 //   - clipped_by cuts the shapes of a group one by one, and a solid as a whole. The cut is open, and what is
-//   cut
-//     off is not inside any more.
+//     cut off is not inside any more.
 #include <algorithm>
 #include <vector>
 

@@ -121,7 +121,6 @@ class SceneBuilder {
         CountedVector<ClipObject> objects;
         std::size_t shape = 0;
         bool has_inside = false;
-        Token at;
     };
     double glass_of(const Inherited& own) const;
     void check_parallel_lights();
