@@ -44,6 +44,16 @@ struct PlaneGeometry : GeometryTraits {
         return {(t > t_min) && (t < T(1e300)), t};
     }
 
+    /// Of the half-space opposite to the normal: the whole line, a half of it, or nothing.
+    template <class T> static HWY_INLINE void crossings(const T* p, const Ray<T>& ray, Crossing<T>* to) {
+        const Vector3<T> n = vector3(p + 3);
+        const T above = dot(ray.origin - vector3(p), n), slope = dot(ray.direction, n), t = -above / slope;
+        const T infinity(k_infinity);
+        const auto falls = slope < T(0), rises = slope > T(0), inside = above <= T(0);
+        to->enter = select(falls, t, select(rises || inside, -infinity, infinity));
+        to->exit = select(rises, t, select(falls || inside, infinity, -infinity));
+    }
+
     template <class T> static HWY_INLINE Vector3<T> normal(const T* p, Vector3<T>) { return vector3(p + 3); }
 };
 
