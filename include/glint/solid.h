@@ -2,8 +2,10 @@
 #pragma once
 // Constructive solid geometry: shapes that are combined by their insides.
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
+#include "glint/export.h"
 #include "glint/shapes.h"
 
 namespace glint {
@@ -18,6 +20,14 @@ enum class SolidOperation : std::uint8_t {
     /// The first, cut off where it is outside of one of the others. The cut is open: it has no surface.
     clip,
 };
+
+/// Those that take shapes.
+inline constexpr SolidOperation k_combinations[] = {SolidOperation::unite,        SolidOperation::merge,
+                                                    SolidOperation::intersection, SolidOperation::difference,
+                                                    SolidOperation::inverse,      SolidOperation::clip};
+
+/// The word in scene files: "union" for `unite`, else the name above.
+GLINT_API std::string_view to_string(SolidOperation operation);
 
 /// A step takes the results of the last `count` ones that no other step has taken.
 struct SolidStep {

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/text.h"
-#include "formats/glint_solid.h"
 #include "math/transform.h"
 #include "scene/validate_solid.h"
 #include "solid.h"
@@ -85,11 +84,11 @@ void check_tree(const SolidBox& solid) {
 }
 
 SolidOperation to_operation(const std::string& word) {
-    if (const auto operation = solid_operation(word)) return *operation;
     std::vector<std::string_view> words;
-    for (auto operation = SolidOperation::merge; operation <= SolidOperation::clip;
-         operation = static_cast<SolidOperation>(static_cast<int>(operation) + 1))
-        words.push_back(solid_word(operation));
+    for (const SolidOperation operation : k_combinations) {
+        if (to_string(operation) == word) return operation;
+        words.push_back(to_string(operation));
+    }
     throw py::value_error(fmt::format("operation: expected one of {}, found {}{}", fmt::join(words, ", "),
                                       repr_of(py::str(word)), did_you_mean(word, words)));
 }
@@ -113,7 +112,7 @@ std::vector<std::shared_ptr<const ShapeBox>> to_parts(const py::object& given) {
 
 // a - b and the like. A solid of the same operation, which has no look of its own, is extended.
 std::shared_ptr<SolidBox> combine_two(SolidOperation operation, const ShapeBox& a, const py::object& other) {
-    const std::string word(solid_word(operation));
+    const std::string word(to_string(operation));
     const ShapeBox& b = to_shape(other, word);
     auto solid = std::make_shared<SolidBox>();
     solid->operation = operation;
@@ -153,7 +152,7 @@ void bind_solid(py::module_& m, py::class_<ShapeBox, std::shared_ptr<ShapeBox>>&
              }),
              py::arg("operation"), py::arg("parts"))
         .def_property(
-            "operation", [](const SolidBox& solid) { return std::string(solid_word(solid.operation)); },
+            "operation", [](const SolidBox& solid) { return std::string(to_string(solid.operation)); },
             [](SolidBox& solid, const std::string& word) {
                 SolidBox changed = solid;
                 changed.operation = to_operation(word);

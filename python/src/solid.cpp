@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "formats/glint_solid.h"
 #include "scene/solid_steps.h"
 
 namespace glint::python {
@@ -140,7 +139,7 @@ py::tuple SolidBox::copied_parts() const {
     return copies;
 }
 std::string SolidBox::text() const {
-    return fmt::format("operation='{}', parts={}", solid_word(operation), repr_of(copied_parts()));
+    return fmt::format("operation='{}', parts={}", to_string(operation), repr_of(copied_parts()));
 }
 bool SolidBox::same(const ShapeBox& other) const {
     const SolidBox* const solid = as_solid(other);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "formats/glint_blocks.h"
 #include "formats/glint_solid.h"
 #include "formats/glint_texture.h"
 #include "formats/include.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/glint_blocks.h"
 
-#include "formats/glint_item.h"
+#include "formats/glint_solid.h"
 
 namespace glint {
 
@@ -11,10 +11,18 @@ std::vector<std::string_view> key_names(std::span<const Field> fields) {
     return names;
 }
 
+std::optional<SolidOperation> solid_operation(std::string_view word) {
+    for (const SolidOperation operation : k_combinations) {
+        if (to_string(operation) == word) return operation;
+    }
+    return std::nullopt;
+}
+
 std::vector<GlintBlock> glint_blocks() {
     std::vector<GlintBlock> blocks;
     add_shape_blocks(blocks);
-    add_solid_blocks(blocks);
+    for (const SolidOperation operation : k_combinations)
+        blocks.push_back({to_string(operation), key_names(k_solid_fields)});
     blocks.push_back({"group", key_names(k_item_fields)});
     blocks.push_back({"material", key_names(k_material_keys)});
     blocks.push_back({"texture", key_names(glint_texture_keys())});

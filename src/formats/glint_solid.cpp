@@ -5,18 +5,8 @@
 
 #include <utility>
 
-#include "formats/glint_blocks.h"
-
 namespace glint {
 namespace {
-
-constexpr std::pair<std::string_view, SolidOperation> k_solid_words[] = {
-    {"union", SolidOperation::unite},
-    {"merge", SolidOperation::merge},
-    {"intersection", SolidOperation::intersection},
-    {"difference", SolidOperation::difference},
-    {"inverse", SolidOperation::inverse},
-    {"clip", SolidOperation::clip}};
 
 // The parts have no names and places of their own.
 void forget_texts_from(ItemTexts& texts, std::size_t first) {
@@ -26,24 +16,6 @@ void forget_texts_from(ItemTexts& texts, std::size_t first) {
 }
 
 }  // namespace
-
-std::optional<SolidOperation> solid_operation(std::string_view word) {
-    for (const auto& [known, operation] : k_solid_words) {
-        if (known == word) return operation;
-    }
-    return std::nullopt;
-}
-
-std::string_view solid_word(SolidOperation operation) {
-    for (const auto& [word, known] : k_solid_words) {
-        if (known == operation) return word;
-    }
-    return {};
-}
-
-void add_solid_blocks(std::vector<GlintBlock>& blocks) {
-    for (const auto& entry : k_solid_words) blocks.push_back({entry.first, key_names(k_solid_fields)});
-}
 
 void close_glint_solid(GlintText& t, const Token& word, GlintSolid& solid, const GlintItem& item) {
     Scene& scene = t.scene;

@@ -8,11 +8,6 @@
 
 namespace glint {
 
-/// The word of a block, as an operation; nothing for other words.
-std::optional<SolidOperation> solid_operation(std::string_view word);
-/// The word of an operation's block.
-std::string_view solid_word(SolidOperation operation);
-
 /// The keys of a solid: those of groups, and a color.
 inline constexpr auto k_solid_fields = [] {
     std::array<Field, std::size(k_item_fields) + 1> all{};

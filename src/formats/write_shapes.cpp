@@ -7,7 +7,6 @@
 #include <iterator>
 #include <span>
 
-#include "formats/glint_solid.h"
 #include "math/transform.h"
 #include "scene/solid_steps.h"
 
@@ -109,9 +108,9 @@ class ShapeWriter {
     void write_solid(std::uint32_t i, std::uint32_t transform) {
         const Shape& s = scene_.shapes[i];
         const SolidTree& tree = scene_.solids[scene_.get<Solid>()[s.index].solid];
-        std::string head(solid_word(tree.steps.back().operation));
+        std::string head(to_string(tree.steps.back().operation));
         // A solid of one shape.
-        if (tree.steps.back().operation == SolidOperation::operand) head = solid_word(SolidOperation::merge);
+        if (tree.steps.back().operation == SolidOperation::operand) head = to_string(SolidOperation::merge);
         if (!scene_.shape_texts.name(i).empty()) {
             head += ' ';
             append_name(head, scene_.shape_texts.name(i));
@@ -137,7 +136,7 @@ class ShapeWriter {
     void write_parts(const SolidTree& tree, const SolidSteps& steps, std::size_t step) {
         if (steps.is_operand(step)) return write_operand(tree.operands[steps.operand(step)]);
         for (const std::size_t part : steps.parts(step)) {
-            if (!steps.is_operand(part)) block_.open(solid_word(steps.operation(part)));
+            if (!steps.is_operand(part)) block_.open(to_string(steps.operation(part)));
             write_parts(tree, steps, part);
             if (!steps.is_operand(part)) block_.close();
         }

@@ -25,6 +25,26 @@ std::string_view to_string(ShapeKind kind) {
     return "unknown shape";
 }
 
+std::string_view to_string(SolidOperation operation) {
+    switch (operation) {
+        case SolidOperation::operand:
+            return "operand";
+        case SolidOperation::merge:
+            return "merge";
+        case SolidOperation::unite:
+            return "union";
+        case SolidOperation::intersection:
+            return "intersection";
+        case SolidOperation::difference:
+            return "difference";
+        case SolidOperation::inverse:
+            return "inverse";
+        case SolidOperation::clip:
+            return "clip";
+    }
+    return "unknown operation";
+}
+
 std::string_view to_string(LightKind kind) {
     switch (kind) {
         case LightKind::ambient:

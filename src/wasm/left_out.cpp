@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // glint-core.wasm, which the page starts with, is linked from the same objects as glint.wasm, but with these
-// functions in place of solids, fog outside of objects, formats/povray, the readers of CSC 473's, Tachyon's
-// and .nff scenes, of .obj, .stl and glTF, compare, check, diagnose and the decoders of textures: almost half
-// of the file. They are all that others call of these, so the linker takes nothing else of them. A call that
-// needs one cannot be answered: glint_left_out() then says so, and the page repeats it with glint.wasm.
+// functions in place of solids, fog on the ground and outside of objects, formats/povray, the readers of CSC
+// 473's, Tachyon's and .nff scenes, of .obj, .stl and glTF, compare, check, diagnose and the decoders of
+// textures: almost half of the file. They are all that others call of these, so the linker takes nothing else
+// of them. A call that needs one cannot be answered: glint_left_out() then says so, and the page repeats it
+// with glint.wasm.
 #include <cstdint>
 
 #include "formats/csc473.h"
+#include "formats/glint_solid.h"
 #include "formats/mesh_file.h"
 #include "formats/povray/standard_includes.h"
 #include "formats/registry.h"
@@ -14,7 +16,10 @@
 #include "glint/compare.h"
 #include "glint/diagnose.h"
 #include "image/texture_image.h"
+#include "scene/solid_steps.h"
+#include "scene/validate_solid.h"
 #include "trace/hits/hit_rule-inl.h"
+#include "trace/lighting/ground_fog.h"
 #include "wasm/api.h"
 #include "world/appearance/interiors.h"
 #include "world/geometry/pack_solid.h"
@@ -33,10 +38,11 @@ glint::Status leave_out() {
 namespace glint {
 
 // Texts with solids end here: the rest is what others call.
-std::uint32_t combine_last(Scene&, SolidOperation, std::uint32_t first, std::uint32_t, std::uint32_t) {
-    leave_out();
-    return first;
-}
+void close_glint_solid(GlintText&, const Token&, GlintSolid&, const GlintItem&) { leave_out(); }
+bool encloses_space(const Scene&, const Shape&) { return false; }
+std::string mistake_in_steps(const SolidTree&) { return {}; }
+SolidSteps::SolidSteps(const SolidTree& tree) : tree_(tree) {}
+std::vector<std::size_t> SolidSteps::parts(std::size_t) const { return {}; }
 PackedSolid pack_solid(const Primitives&, const PrimitiveSolid&, std::span<const std::uint32_t>,
                        std::uint32_t, std::span<PackedOperand>) {
     return {};
@@ -44,6 +50,10 @@ PackedSolid pack_solid(const Primitives&, const PrimitiveSolid&, std::span<const
 void HWY_NAMESPACE::ShapeTests::solids_leaf(const ShapeClass&, const RayPacket&, std::uint64_t, std::uint32_t,
                                             std::uint32_t) {}
 
+double fog_along(FogLine, double, double) {
+    leave_out();
+    return 0;
+}
 void find_interiors(WorldParts&) { leave_out(); }
 std::uint32_t camera_interiors_at(const WorldParts&, Vec3) { return 0; }
 

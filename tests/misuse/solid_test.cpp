@@ -18,6 +18,7 @@ Scene scene_of_a_solid() {
 }
 
 TEST(Misuse, OfSolids) {
+    EXPECT_EQ(to_string(beyond<SolidOperation>()), "unknown operation");
     EXPECT_FALSE(has_errors(validate(scene_of_a_solid())));
     const std::function<void(Scene&, SolidTree&)> edits[] = {
         [](Scene& s, SolidTree&) { s.solids.clear(); },

@@ -48,6 +48,7 @@ test('the core says what it leaves out, and the whole does not', async () => {
         "Tachyon's scenes": (glint) => glint.open({texts: [{name: 'a.dat', text: 'BEGIN_SCENE\nRESOLUTION 4 3\nEND_SCENE\n'}]}),
         "CSC 473's scenes": (glint) => glint.open({texts: [read('csc473/cone_tower.pov')]}),
         solids: (glint) => glint.open({texts: [{name: 'a.glint', text: 'merge { sphere { center = (0, 0, 0) radius = 1 } }\n'}]}),
+        'fog on the ground': (glint) => glint.open({texts: [{name: 'a.glint', text: 'camera { position = (0, 1, 4) look_at = (0, 0, 0) fov_x = 40 }\nfog { density = 0.1  falloff = 1 }\nsphere { center = (0, 0, 0) radius = 1 }\n'}]}).renderPixels(0, 0, 2, 2),
         'fog outside of objects': (glint) => glint.open({texts: [{name: 'a.glint', text: 'camera { position = (0, 0, 4) look_at = (0, 0, 0) fov_x = 40 }\nfog { density = 0.1 } conventions { fog_extent = outside_objects } sphere { center = (0, 0, 0) radius = 1 }\n'}]}).renderPixels(0, 0, 2, 2),
         '.nff': (glint) => glint.open({texts: [read('nff/pyramid.nff')]}),
         '.stl': (glint) => glint.open({texts: [{name: 'a.stl', text: 'solid a\nendsolid a\n'}]}),
