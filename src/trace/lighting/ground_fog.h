@@ -11,8 +11,7 @@ struct FogLine {
 };
 
 /// The integral over t, from `begin` to `end`, of the fog's density as a part of the whole density. Negative
-/// if end < begin. end may be infinite:
-/// the result is then at most 1e200.
+/// if end < begin. end may be infinite: the result is then at most 1e200.
 double fog_along(FogLine line, double begin, double end);
 
 }  // namespace glint
