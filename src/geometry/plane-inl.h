@@ -49,7 +49,7 @@ struct PlaneGeometry : GeometryTraits {
         const Vector3<T> n = vector3(p + 3);
         const T above = dot(ray.origin - vector3(p), n), slope = dot(ray.direction, n), t = -above / slope;
         const T infinity(k_infinity);
-        const auto falls = slope < T(0), rises = slope > T(0), inside = above <= T(0);
+        const auto falls = slope<T(0), rises = slope> T(0), inside = above <= T(0);
         to->enter = select(falls, t, select(rises || inside, -infinity, infinity));
         to->exit = select(rises, t, select(falls || inside, infinity, -infinity));
     }
