@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // The parameters of shapes. A new kind adds its struct and one line to GLINT_SHAPES (docs/adding_a_shape.md).
-// If a kind has only points, directions and lengths, fields() lists them once, for validate() and the
-// scene language. It calls visit.point, visit.direction (not 0), visit.length (> 0) or visit.radius (>= 0,
-// and 0 if a scene file has none) for each.
+// If a kind has only points, directions, lengths and coefficients, fields() lists them once, for validate()
+// and the scene language. It calls visit.point, visit.direction (not 0), visit.length (> 0), visit.radius
+// (>= 0, and 0 if a scene file has none), visit.coefficients or visit.coefficient (any number, likewise) for
+// each.
 #include <cstdint>
 
 #include "glint/vec.h"
@@ -117,6 +118,22 @@ struct Solid {
     std::uint32_t solid = 0;
 };
 
+/// The points at which f(x, y, z) = squares.x x^2 + squares.y y^2 + squares.z z^2 + products.x xy +
+/// products.y xz + products.z yz + linear.x x + linear.y y + linear.z z + constant is 0: an ellipsoid, a
+/// paraboloid, a hyperboloid, or a cone or cylinder without ends. One coefficient besides `constant` at least
+/// is not 0. Its inside is where f < 0; the normal is the gradient of f. Two equal planes (x^2 = 0), where f
+/// does not change its sign, are no surface, but rounding errors may show some of it.
+struct Quadric {
+    Vec3 squares, products, linear;
+    double constant = 0;
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        visit.coefficients("squares", self.squares);
+        visit.coefficients("products", self.products);
+        visit.coefficients("linear", self.linear);
+        visit.coefficient("constant", self.constant);
+    }
+};
+
 // The list of kinds: X(Type, word), in the order of ShapeKind. Ties between shapes are resolved by scene
 // order.
 #define GLINT_SHAPES(X)                \
@@ -131,7 +148,8 @@ struct Solid {
     X(Polygon, polygon)                \
     X(Mesh, mesh)                      \
     X(Torus, torus)                    \
-    X(Solid, solid)
+    X(Solid, solid)                    \
+    X(Quadric, quadric)
 
 enum class ShapeKind : std::uint8_t {
 #define GLINT_KIND(Type, word) word,

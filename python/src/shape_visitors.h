@@ -40,6 +40,8 @@ struct Get {
     void direction(std::string_view at, const Vec3& v) { take(at, v); }
     void length(std::string_view at, double x) { take(at, x); }
     void radius(std::string_view at, double x) { take(at, x); }
+    void coefficients(std::string_view at, const Vec3& v) { take(at, v); }
+    void coefficient(std::string_view at, double x) { take(at, x); }
     void flag(std::string_view at, bool x) { take(at, x); }
     void points(std::string_view at, const Vec3 (&v)[3]) {
         if (at == name) found = points_to_python(v, 3);
@@ -60,6 +62,10 @@ struct Set {
     }
     void radius(std::string_view at, double& x) {
         if (at == name) x = to_number(value, at, k_not_negative);
+    }
+    void coefficients(std::string_view at, Vec3& v) { point(at, v); }
+    void coefficient(std::string_view at, double& x) {
+        if (at == name) x = to_number(value, at, k_coordinate);
     }
     void flag(std::string_view at, bool& x) {
         if (at == name) x = value.cast<bool>();
@@ -82,6 +88,8 @@ struct Names {
     void direction(std::string_view at, const Vec3&) { add(at, "A direction of any length but 0"); }
     void length(std::string_view at, double) { add(at, "A number > 0, in the scene's units"); }
     void radius(std::string_view at, double) { add(at, "A number >= 0, in the scene's units"); }
+    void coefficients(std::string_view at, const Vec3&) { add(at, "Three numbers"); }
+    void coefficient(std::string_view at, double) { add(at, "A number"); }
     void flag(std::string_view at, bool) { add(at, "Whether the ends are closed by discs"); }
     void points(std::string_view at, const Vec3 (&)[3]) {
         add(at, "Three points or normals, as a 3x3 array");
@@ -96,6 +104,8 @@ struct Numbers {
     void direction(std::string_view, const Vec3& v) { add(v); }
     void length(std::string_view, double x) { all.push_back(x); }
     void radius(std::string_view, double x) { all.push_back(x); }
+    void coefficients(std::string_view, const Vec3& v) { add(v); }
+    void coefficient(std::string_view, double x) { all.push_back(x); }
     void flag(std::string_view, bool x) { all.push_back(x ? 1 : 0); }
     void points(std::string_view, const Vec3 (&v)[3]) {
         for (const Vec3& p : v) add(p);

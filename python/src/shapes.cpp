@@ -295,6 +295,11 @@ void bind_shapes(py::module_& m) {
     bind_shape<Torus>(m, "Torus",
                       "Torus(center, axis, radius, tube): the points at distance `tube` from a circle of "
                       "that radius around the axis");
+    bind_shape<Quadric>(
+        m, "Quadric",
+        "Quadric(squares, products, linear, constant): the points at which squares . (x^2, "
+        "y^2, z^2) + products . (xy, xz, yz) + linear . (x, y, z) + constant is 0. Its inside "
+        "is where that is below 0");
     bind_mesh(m);
     bind_solid(m, cls);
 }

@@ -64,6 +64,11 @@ std::vector<double> values_of(const Scene& scene, const Shape& shape) {
             v.insert(v.end(), {s.radius, s.tube});
             break;
         }
+        case ShapeKind::quadric: {
+            const Quadric& s = scene.get<Quadric>()[shape.index];
+            append(v, s.squares), append(v, s.products), append(v, s.linear), v.push_back(s.constant);
+            break;
+        }
         case ShapeKind::box: {
             const Box& s = scene.get<Box>()[shape.index];
             append(v, s.min), append(v, s.max);

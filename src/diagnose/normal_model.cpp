@@ -46,6 +46,7 @@ Maybe RayModel::turned_normal() const {
             case ShapeKind::sphere:
             case ShapeKind::box:
             case ShapeKind::torus:
+            case ShapeKind::quadric:
                 return false;
             case ShapeKind::cylinder:
                 return !model_.scene.get<Cylinder>()[shape.index].caps;

@@ -139,6 +139,8 @@ class ShapeReader {
         void direction(std::string_view name, const Vec3&) { names.push_back({name, true}); }
         void length(std::string_view name, double) { names.push_back({name, true}); }
         void radius(std::string_view name, double) { names.push_back({name}); }
+        void coefficients(std::string_view name, const Vec3&) { names.push_back({name}); }
+        void coefficient(std::string_view name, double) { names.push_back({name}); }
     };
     // ... and for the value of field number `field`.
     struct FieldValue {
@@ -156,6 +158,12 @@ class ShapeReader {
         }
         void radius(std::string_view, double& x) {
             if (field-- == 0) is_read = reader.t_.p.number(x, k_not_negative);
+        }
+        void coefficients(std::string_view, Vec3& v) {
+            if (field-- == 0) is_read = read_point(reader.t_, v);
+        }
+        void coefficient(std::string_view, double& x) {
+            if (field-- == 0) is_read = reader.t_.p.number(x, k_coordinate);
         }
     };
 

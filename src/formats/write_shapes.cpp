@@ -25,6 +25,12 @@ struct FieldWriter {
     void radius(std::string_view key, double value) {
         if (value != 0) append(block.key(key), value);
     }
+    void coefficients(std::string_view key, const Vec3& value) {
+        if (!glint::same_bits(value, Vec3{})) append(block.key(key), value);
+    }
+    void coefficient(std::string_view key, double value) {
+        if (!glint::same_bits(value, 0.0)) append(block.key(key), value);
+    }
 };
 
 class ShapeWriter {

@@ -28,6 +28,9 @@ struct GeometryTraits {
     /// It consists of shapes that are not hit by themselves (Scene::solids). It has no formula of its own.
     static constexpr bool k_is_solid = false;
     static constexpr bool k_has_formula = true;
+    /// Rays hit a shape of this kind as an operand of a solid only. One that is not an operand is packed as a
+    /// solid of one operand. It needs no hit().
+    static constexpr bool k_only_operand = false;
     /// The greatest number of crossings of a line with its surface, if it encloses a space; see
     /// geometry/crossings-inl.h. 0: it encloses none.
     static constexpr int k_crossings = 0;

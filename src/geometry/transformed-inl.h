@@ -39,6 +39,7 @@ template <class Geometry> struct Transformed : GeometryTraits {
     static constexpr int k_values = Geometry::k_values + 12;
     static constexpr bool k_bounded = Geometry::k_bounded;
     static constexpr int k_crossings = Geometry::k_crossings;
+    static constexpr bool k_only_operand = Geometry::k_only_operand;
 
     template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         return Geometry::hit(p, AffineMap::to_object(p + Geometry::k_values, ray), t_min);

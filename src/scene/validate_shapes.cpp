@@ -46,6 +46,14 @@ class ParameterCheck {
             say(fmt::format("expected {} {} other than (0, 0, 0) and within 1e12, found {}",
                             name == "axis" ? "an" : "a", name, text(d)));
         }
+        void coefficients(std::string_view name, const Vec3& v) {
+            if (!is_coordinate(v))
+                say(fmt::format("{}: expected numbers within 1e12, found {}", name, text(v)));
+        }
+        void coefficient(std::string_view name, double x) {
+            if (!is_coordinate({x, 0, 0}))
+                say(fmt::format("{}: expected a number within 1e12, found {}", name, x));
+        }
         void length(std::string_view name, double x) {
             if (k_length.contains(x)) return;
             say(fmt::format("{}: expected {}, found {}", name, k_length.text, x));
@@ -62,6 +70,12 @@ class ParameterCheck {
         if (disc.radius > 0 && disc.hole >= disc.radius) {
             say(fmt::format("expected a hole smaller than the radius {}, found {}", disc.radius, disc.hole));
         }
+    }
+
+    void check_parameters(const Quadric& quadric) {
+        Quadric::fields(quadric, FieldCheck{mistakes_});
+        if (is_zero(quadric.squares) && is_zero(quadric.products) && is_zero(quadric.linear))
+            say("expected a coefficient other than 0 in squares, products or linear");
     }
 
     void check_parameters(const Cylinder& c) {
@@ -132,9 +146,8 @@ class ParameterCheck {
         std::vector<std::string> mistakes;
         if (!encloses_space(scene_, operand)) {
             mistakes.push_back(
-                fmt::format("expected a shape that encloses a space (a sphere, box, torus or plane, or a "
-                            "cylinder or cone "
-                            "with caps), found a {}",
+                fmt::format("expected a shape that encloses a space (a sphere, box, torus, quadric or plane, "
+                            "or a cylinder or cone with caps), found a {}",
                             to_string(operand.kind)));
         } else {
             ParameterCheck(scene_, mistakes, valid_meshes_).check(operand);

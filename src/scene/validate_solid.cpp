@@ -14,6 +14,7 @@ bool encloses_space(const Scene& scene, const Shape& shape) {
         case ShapeKind::plane:
         case ShapeKind::box:
         case ShapeKind::torus:
+        case ShapeKind::quadric:
             return true;
         case ShapeKind::cylinder:
             return shape.index < scene.get<Cylinder>().size() && scene.get<Cylinder>()[shape.index].caps;

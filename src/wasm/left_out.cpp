@@ -45,6 +45,7 @@ SolidSteps::SolidSteps(const SolidTree& tree) : tree_(tree) {}
 std::vector<std::size_t> SolidSteps::parts(std::size_t) const { return {}; }
 PackedSolid pack_solid(const Primitives&, const PrimitiveSolid&, std::span<const std::uint32_t>,
                        std::uint32_t, std::span<PackedOperand>) {
+    leave_out();
     return {};
 }
 void HWY_NAMESPACE::ShapeTests::solids_leaf(const ShapeClass&, const RayPacket&, std::uint64_t, std::uint32_t,

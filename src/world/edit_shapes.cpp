@@ -47,7 +47,7 @@ class ShapeEditor {
         if (!mistakes.empty()) return refuse(std::move(mistakes));
         if (changed_.empty()) return {};
         // The operands of a solid are packed together.
-        if (!scene_.get<Solid>().empty() || !now.geometry->solids.empty()) return rebuild(edit);
+        if (has_solids(scene_) || !now.geometry->solids.empty()) return rebuild(edit);
         triangulate_polygons();
         if (!scene_.meshes.empty()) {
             meshes_ = now.geometry->meshes;

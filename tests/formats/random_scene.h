@@ -246,6 +246,10 @@ class RandomScene {
             case ShapeKind::torus:
                 s.add(Torus{point(), direction(), length(), length()}, material, transform);
                 break;
+            case ShapeKind::quadric:
+                s.add(Quadric{point(), direction(), pick(2) == 0 ? point() : Vec3{}, coordinate()}, material,
+                      transform);
+                break;
             case ShapeKind::box:
                 s.add(Box{{-1, -0.0, between(-1, 0)}, {between(0, 1), 5e-324, 1}}, material, transform);
                 break;
@@ -281,7 +285,7 @@ class RandomScene {
         };
         for (std::size_t i = 0; i < count; ++i) {
             const std::uint32_t own = some(s.materials.size()), map = some(s.transforms.size());
-            switch (pick(depth < 3 ? 6 : 5)) {
+            switch (pick(depth < 3 ? 7 : 6)) {
                 case 0:
                     s.add(Sphere{point(), length()}, own, map);
                     break;
@@ -296,6 +300,9 @@ class RandomScene {
                     break;
                 case 4:
                     s.add(Box{{-1, -1, -1}, {0, 2, 1}}, own, map);
+                    break;
+                case 5:
+                    s.add(Quadric{direction(), point(), point(), coordinate()}, own, map);
                     break;
                 default:
                     make_solid(s, own, map, depth + 1);

@@ -149,6 +149,10 @@ std::vector<std::function<double&(Scene&)>> numbers() {
     point([=](Scene& s) -> Vec3& { return s.add(Torus{}), last(s.get<Torus>()).axis; });
     number([=](Scene& s) -> double& { return s.add(Torus{}), last(s.get<Torus>()).radius; });
     number([=](Scene& s) -> double& { return s.add(Torus{}), last(s.get<Torus>()).tube; });
+    point([=](Scene& s) -> Vec3& { return s.add(Quadric{}), last(s.get<Quadric>()).squares; });
+    point([=](Scene& s) -> Vec3& { return s.add(Quadric{}), last(s.get<Quadric>()).products; });
+    point([=](Scene& s) -> Vec3& { return s.add(Quadric{}), last(s.get<Quadric>()).linear; });
+    number([=](Scene& s) -> double& { return s.add(Quadric{}), last(s.get<Quadric>()).constant; });
     point([=](Scene& s) -> Vec3& { return s.add(Box{}), last(s.get<Box>()).min; });
     point([=](Scene& s) -> Vec3& { return s.add(Box{}), last(s.get<Box>()).max; });
     for (int i = 0; i < 3; ++i) {

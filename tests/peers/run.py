@@ -21,6 +21,7 @@ import lights
 import output
 import patterns
 import pov
+import quadrics
 import sky
 import solids
 import tori
@@ -28,7 +29,7 @@ import transparency
 
 SHARE = 0.99
 LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES, output.RULES, dat.RULES, pov.RULES,
-         images.RULES, patterns.RULES, solids.RULES, tori.RULES]
+         images.RULES, patterns.RULES, quadrics.RULES, solids.RULES, tori.RULES]
 
 
 def read_ppm(path):

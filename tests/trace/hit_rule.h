@@ -54,7 +54,8 @@ struct FormulaHit {
     template <class Geometry> void visit() {
         double p[Geometry::k_values];
         for (int k = 0; k < Geometry::k_values; ++k) p[k] = shapes.column(k)[item];
-        if constexpr (Geometry::k_has_formula) hit = Geometry::hit(p, ray, t_min);
+        if constexpr (Geometry::k_has_formula && !Geometry::k_only_operand)
+            hit = Geometry::hit(p, ray, t_min);
     }
 };
 

@@ -61,7 +61,7 @@ Part random_part(Scene& scene, Random& random) {
     const Vec3 at = point_in_cube(random, 1);
     const Vec3 along = chance(random, 0.5) ? axis_direction(random) : unit_direction(random);
     const double r = random.uniform(0.2, 1);
-    switch (below(random, 6)) {
+    switch (below(random, 7)) {
         case 0:
             return {shape_of(scene, Sphere{at, r}), [=](Vec3 p) { return length(p - at) < r; }};
         case 1: {
@@ -87,6 +87,16 @@ Part random_part(Scene& scene, Random& random) {
                         const double off = length(p - at - along * h) - r;
                         return off * off + h * h < r * r / 9;
                     }};
+        case 5: {  // of any type, with its center or apex at `at`
+            const auto sign = [&] { return static_cast<double>(below(random, 3) - 1); };
+            const Vec3 s{1, sign(), 2 * sign()}, scaled{s.x * at.x, s.y * at.y, s.z * at.z};
+            // Two equal planes are no surface.
+            const double size = s.y == 0 ? r * r : r * r * sign();
+            return {shape_of(scene, Quadric{s, {}, scaled * -2, dot(scaled, at) - size}), [=](Vec3 p) {
+                        const Vec3 q = p - at;
+                        return s.x * q.x * q.x + s.y * q.y * q.y + s.z * q.z * q.z < size;
+                    }};
+        }
         default:
             return {shape_of(scene, Plane{at, along}), [=](Vec3 p) { return dot(p - at, along) < 0; }};
     }
@@ -297,6 +307,43 @@ TEST(Solids, OperandsHaveMaterials) {
     const std::optional<World> world = make_world(scene);
     EXPECT_EQ(nearest_surface(*world, {0.9, 0, 5}, {0, 0, -1}).material, 0u);
     EXPECT_EQ(nearest_surface(*world, {0, 0, 5}, {0, 0, -1}).material, 1u);
+}
+
+// Rays hit a quadric as an operand only: by itself, it is packed as a solid of one.
+TEST(Solids, AQuadricByItselfIsASolidOfOne) {
+    Scene alone, combined, sphere;
+    Material blue;
+    blue.color = {0, 0, 1};
+    for (Scene* scene : {&alone, &combined, &sphere}) {
+        scene->materials = {Material{}, blue};
+        scene->transforms.push_back({{{2, 0, 0, 0.5}, {0, 1, 0.3, 0}, {0, 0, 0.5, -1}}});
+        scene->add(Sphere{{0, 3, 0}, 1});
+    }
+    const Quadric unit{{1, 1, 1}, {}, {}, -1};
+    alone.add(unit, 1, 0);
+    combined.add(unit, k_none, 0);
+    combine_last(combined, SolidOperation::merge, 1, 1);
+    sphere.add(Sphere{}, 1, 0);
+    const std::optional<World> worlds[] = {make_world(alone), make_world(combined), make_world(sphere)};
+    Random random(4003);
+    int hits = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 o = point_in_cube(random, 5);
+        const Vec3 d = point_in_cube(random, 1.5) - o;
+        const SurfaceHit a = nearest_surface(*worlds[0], o, d), b = nearest_surface(*worlds[1], o, d),
+                         c = nearest_surface(*worlds[2], o, d);
+        ASSERT_EQ(a.exists, b.exists);
+        ASSERT_EQ(a.exists, c.exists);
+        if (!a.exists) continue;
+        ++hits;
+        EXPECT_EQ(a.t, b.t);
+        EXPECT_EQ(a.normal, b.normal);
+        EXPECT_EQ(a.material, b.material);
+        EXPECT_EQ(a.material, c.material);
+        EXPECT_NEAR(a.t, c.t, 1e-9);
+        EXPECT_NEAR(length(a.normal - c.normal), 0, 1e-9);
+    }
+    EXPECT_GT(hits, 500);
 }
 
 }  // namespace

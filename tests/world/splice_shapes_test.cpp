@@ -76,6 +76,7 @@ Indices insert(Scene& scene, Random& random, std::size_t count) {
             case ShapeKind::polygon:
             case ShapeKind::mesh:
             case ShapeKind::solid:  // they are built again: see below
+            case ShapeKind::quadric:
                 copy.kind = ShapeKind::sphere;
                 add(Sphere{point_in_cube(random, 10), 0.7});
                 break;

@@ -171,6 +171,7 @@ ShapeMeshes::Unit ShapeMeshes::unit_of(const Shape& shape) {
         case ShapeKind::smooth_triangle:
         case ShapeKind::polygon:
         case ShapeKind::solid:
+        case ShapeKind::quadric:
             break;
     }
     return {};
@@ -223,6 +224,8 @@ void ShapeMeshes::add(std::uint32_t index) {
         case ShapeKind::plane:
             losses_.add("infinite planes", "each is a large square");
             return place(index, nullptr, {});
+        case ShapeKind::quadric:
+            return losses_.add("quadrics", "they are left out");
         case ShapeKind::solid:
             return losses_.add("solids, which are combinations of shapes", "they are left out");
         case ShapeKind::triangle:

@@ -22,6 +22,7 @@ enum class ObjectKind : std::uint8_t {
     plane,
     disc,
     torus,
+    quadric,
     triangle,
     smooth_triangle,
     mesh,
@@ -99,8 +100,9 @@ struct ClipObject {
 struct Object {
     ObjectKind kind = ObjectKind::group;
     SolidOperation operation = SolidOperation::unite;  ///< of a solid
-    Vec3 a, b, c;                                      ///< points; sphere: center; plane, disc: normal in b
-    double r = 0, s = 0;  ///< radii; plane: the distance; disc: that of the hole in s
+    Vec3 a, b, c;  ///< points; sphere: center; plane, disc: normal in b; quadric: coefficients
+    double r = 0,
+           s = 0;  ///< radii; plane: the distance; disc: that of the hole in s; quadric: the constant in s
     bool is_open = false, is_no_shadow = false, is_merge = false, is_inverse = false, is_uv = false,
          is_cutaway = false;
     Token at;

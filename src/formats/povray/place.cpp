@@ -193,6 +193,9 @@ void SceneBuilder::place_shape(const Object& o, const Inherited& from) {
             }
             break;
         }
+        case ObjectKind::quadric:
+            add(Quadric{o.a, o.b, o.c, o.s}, material, map, o.at);
+            break;
         case ObjectKind::triangle:
             add(Triangle{{point(o.a), point(o.b), point(o.c)}}, material, nullptr, o.at);
             break;

@@ -60,6 +60,16 @@ Object ObjectParser::read_shape(const Token& word) {
             next();
             object.s = number();
             break;
+        case Word::k_quadric:
+            object.kind = ObjectKind::quadric;
+            object.a = vector();
+            next();
+            object.b = vector();
+            next();
+            object.c = vector();
+            next();
+            object.s = number();
+            break;
         case Word::k_triangle:
             object.kind = ObjectKind::triangle;
             object.a = vector();
@@ -104,6 +114,8 @@ void ObjectParser::check_shape(Object& object) {
     if (object.kind == ObjectKind::torus && (!(object.r > 0) || object.s < 0)) {
         object.missing.add({"torus", "with a radius that is not above 0", call_place(object.at), true});
     }
+    if (object.kind == ObjectKind::quadric && object.a == Vec3{} && object.b == Vec3{} && object.c == Vec3{})
+        object.missing.add({"quadric", "without a coefficient", call_place(object.at), true});
     if (object.r < 0) object.r = -object.r;
     if (object.s < 0 && (object.kind == ObjectKind::cone || object.kind == ObjectKind::disc))
         object.s = -object.s;

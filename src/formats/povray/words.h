@@ -27,7 +27,8 @@ namespace glint::povray {
     X(srgbf) X(srgbft) X(srgbt) X(transmit)
 #define GLINT_POV_OBJECT_WORDS(X) \
     X(box) X(cone) X(cylinder) X(difference) X(disc) X(intersection) X(light_source) X(merge) X(mesh) \
-    X(mesh2) X(object) X(plane) X(polygon) X(smooth_triangle) X(torus) X(sphere) X(triangle) X(union)
+    X(mesh2) X(object) X(plane) X(polygon) X(quadric) X(smooth_triangle) X(torus) X(sphere) X(triangle) \
+    X(union)
 #define GLINT_POV_MODIFIER_WORDS(X) \
     X(bounded_by) X(clipped_by) X(cutaway_textures) X(double_illuminate) X(finish) X(hierarchy) X(hollow) X(interior) \
     X(interior_texture) X(inverse) X(material) X(matrix) X(no_bump_scale) X(no_image) X(no_radiosity) \

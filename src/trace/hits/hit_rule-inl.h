@@ -85,7 +85,7 @@ struct ShapeTests {
     /// Tests all shapes of an unbounded class with rays [0, count) of the chunk. These shapes have no bounds.
     HWY_INLINE void visit_unbounded(const ShapeClass& shapes, int count) {
         with_kind(shapes, [&]<class Geometry>(Kind<Geometry>) HWY_ATTR {
-            if constexpr (!Geometry::k_bounded) {
+            if constexpr (!Geometry::k_bounded && !Geometry::k_only_operand) {
                 for (std::uint32_t s = shapes.first; s < shapes.first + shapes.count; ++s)
                     many_rays_unbounded<Geometry>(shapes, s, count);
             }

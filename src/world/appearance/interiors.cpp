@@ -25,7 +25,8 @@ class Contains {
         : shapes_(shapes), slot_(slot), point_(point) {}
     bool result() const { return result_; }
     template <class Geometry> void visit() {
-        if constexpr (Geometry::k_has_formula) test<Geometry>();  // a mesh may be open: nothing is inside
+        // A mesh may be open, so that nothing is inside.
+        if constexpr (Geometry::k_has_formula && !Geometry::k_only_operand) test<Geometry>();
     }
 
   private:

@@ -53,7 +53,7 @@ class ItemList {
 PackedSolid pack_solid(const Primitives& primitives, const PrimitiveSolid& solid,
                        std::span<const std::uint32_t> slots, std::uint32_t first,
                        std::span<PackedOperand> operands) {
-    const SolidTree& tree = primitives.tree_of(solid);
+    const SolidTree& tree = *solid.tree;
     ItemList list(tree);
     PackedSolid packed;
     const std::size_t count = tree.operands.size();

@@ -26,8 +26,13 @@ struct TraitsOf {
         traits.values = Geometry::k_values;
         traits.bounded = Geometry::k_bounded;
         traits.stores_box = traits.bounded && Geometry::k_stores_box;
+        traits.only_operand = Geometry::k_only_operand;
     }
 };
+
+bool is_only_operand(ShapeKind kind) {
+    return class_traits()[2 * static_cast<std::size_t>(kind)].only_operand;
+}
 
 // The largest number that the map adds up for a point of the box.
 double map_magnitude(const Affine& map, Vec3 lo, Vec3 hi) {
@@ -79,8 +84,10 @@ const AllClassTraits& class_traits() {
     return all;
 }
 
+bool has_solids(const Scene& scene) { return !scene.get<Solid>().empty() || !scene.get<Quadric>().empty(); }
+
 bool has_elements(const Scene& scene) {
-    return !scene.get<Polygon>().empty() || !scene.get<Mesh>().empty() || !scene.get<Solid>().empty();
+    return !scene.get<Polygon>().empty() || !scene.get<Mesh>().empty() || has_solids(scene);
 }
 
 const PackedMesh& Primitives::mesh_of(const Shape& shape) const {
@@ -89,7 +96,14 @@ const PackedMesh& Primitives::mesh_of(const Shape& shape) const {
 
 void Primitives::add(std::uint32_t index) {
     const Shape& shape = scene_.shapes[index];
-    if (shape.kind == ShapeKind::solid) return add_solid(index);
+    if (shape.kind == ShapeKind::solid)
+        return add_solid(index, scene_.solids[scene_.get<Solid>()[shape.index].solid]);
+    if (is_only_operand(shape.kind)) {
+        SolidTree& tree = single_.emplace_back();
+        tree.operands.push_back({shape.kind, shape.index, k_none, k_none});
+        tree.steps.push_back({SolidOperation::operand, 0});
+        return add_solid(index, tree);
+    }
     if (shape.kind != ShapeKind::polygon) {
         list_.push_back({index});
         return;
@@ -101,13 +115,13 @@ void Primitives::add(std::uint32_t index) {
         list_.push_back({index, triangle, triangle - first});
 }
 
-void Primitives::add_solid(std::uint32_t index) {
+void Primitives::add_solid(std::uint32_t index, const SolidTree& tree) {
     const Shape& shape = scene_.shapes[index];
-    const PrimitiveSolid solid{index, static_cast<std::uint32_t>(operands_.size())};
+    const PrimitiveSolid solid{index, static_cast<std::uint32_t>(operands_.size()), &tree};
     list_.push_back({.shape = index, .solid = static_cast<std::uint32_t>(solids_.size())});
     solids_.push_back(solid);
     std::uint32_t element = 0;
-    for (Shape operand : scene_.solids[scene_.get<Solid>()[shape.index].solid].operands) {
+    for (Shape operand : tree.operands) {
         if (operand.transform == k_none) {
             operand.transform = shape.transform;
         } else if (shape.transform != k_none) {
@@ -121,13 +135,9 @@ void Primitives::add_solid(std::uint32_t index) {
     }
 }
 
-const SolidTree& Primitives::tree_of(const PrimitiveSolid& solid) const {
-    return scene_.solids[scene_.get<Solid>()[scene_.shapes[solid.shape].index].solid];
-}
-
 void Primitives::add_all(bool cones) {
     one_per_shape_ =
-        scene_.get<Polygon>().empty() && scene_.get<Solid>().empty() && (cones || scene_.get<Cone>().empty());
+        scene_.get<Polygon>().empty() && !has_solids(scene_) && (cones || scene_.get<Cone>().empty());
     if (one_per_shape_) return;
     list_.reserve(scene_.shapes.size());
     for (std::uint32_t i = 0; i < scene_.shapes.size(); ++i) {
@@ -137,7 +147,7 @@ void Primitives::add_all(bool cones) {
 
 int Primitives::class_of(const Primitive& primitive) const {
     const Shape& s = shape_of(primitive);
-    ShapeKind kind = s.kind;
+    ShapeKind kind = primitive.solid == k_none ? s.kind : ShapeKind::solid;
     if (kind == ShapeKind::polygon) kind = ShapeKind::triangle;
     const int plain = 2 * static_cast<int>(kind);
     return plain + (s.transform != k_none && !class_traits()[static_cast<std::size_t>(plain)].bakes_transform
@@ -227,7 +237,7 @@ Aabb Primitives::box_of_solid(const PrimitiveSolid& solid) const {
     const Aabb all{{-k_far, -k_far, -k_far}, {k_far, k_far, k_far}};
     std::vector<Aabb> boxes;
     std::uint32_t operand = solid.first;
-    for (const SolidStep& step : tree_of(solid).steps) {
+    for (const SolidStep& step : solid.tree->steps) {
         if (step.operation == SolidOperation::operand) {
             const Primitive primitive{.shape = solid.shape, .operand = operand++};
             const bool is_bounded = class_traits()[static_cast<std::size_t>(class_of(primitive))].bounded;
@@ -295,7 +305,9 @@ int Primitives::pack(const Primitive& primitive, double* values) const {
 
 bool is_closed(const Scene& scene, std::uint32_t shape) {
     const ShapeKind kind = scene.shapes[shape].kind;
-    if (kind == ShapeKind::polygon || kind == ShapeKind::mesh || kind == ShapeKind::solid) return false;
+    if (kind == ShapeKind::polygon || kind == ShapeKind::mesh || kind == ShapeKind::solid ||
+        is_only_operand(kind))
+        return false;
     const PackedMeshes none;
     return !Primitives(scene, none).is_open({shape});
 }

@@ -4,6 +4,7 @@
 // itself and one for each operand.
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <span>
 #include <vector>
@@ -31,7 +32,11 @@ struct Primitive {
 /// The solid of a shape: its operands are the primitives [first, first + count) of Primitives::operands.
 struct PrimitiveSolid {
     std::uint32_t shape = 0, first = 0;
+    const SolidTree* tree = nullptr;
 };
+
+/// Whether a shape of the scene is packed as a solid.
+bool has_solids(const Scene& scene);
 
 /// Whether a shape of the scene has several elements.
 bool has_elements(const Scene& scene);
@@ -42,6 +47,7 @@ struct ClassTraits {
     bool bounded = true;     // it has a box
     bool stores_box = true;  // else it is computed
     bool bakes_transform = false;
+    bool only_operand = false;
 };
 /// The packer's order of classes: those that store their boxes, those with computed ones, unbounded ones.
 inline int layout_rank(const ClassTraits& traits) { return 2 - traits.bounded - traits.stores_box; }
@@ -66,7 +72,6 @@ class Primitives {
 
     int class_of(const Primitive& primitive) const;
     std::span<const PrimitiveSolid> solids() const { return solids_; }
-    const SolidTree& tree_of(const PrimitiveSolid& solid) const;
     /// The padded box of a bounded primitive.
     Aabb box_of(const Primitive& primitive) const;
     /// Whether the primitive's shape encloses no space.
@@ -95,7 +100,7 @@ class Primitives {
         return transform < of_scene ? scene_.transforms[transform] : composed_[transform - of_scene];
     }
     std::uint32_t map_of(const Primitive& primitive) const;
-    void add_solid(std::uint32_t shape);
+    void add_solid(std::uint32_t shape, const SolidTree& tree);
     Aabb box_of_solid(const PrimitiveSolid& solid) const;
     template <class Parameters, class Geometry, class Visit>
     void visit_transformed(const Shape& shape, const Parameters& parameters, Geometry geometry,
@@ -111,6 +116,7 @@ class Primitives {
     std::vector<Primitive> list_;
     std::vector<Triangle> triangles_;
     std::vector<PrimitiveSolid> solids_;
+    std::deque<SolidTree> single_;  // of shapes that rays hit as operands only
     std::vector<Shape> operands_;   // with the solids' transforms
     std::vector<Affine> composed_;  // continues the scene's transforms
 };

@@ -38,8 +38,7 @@ class GeometrySplicer {
           primitives_(scene, old.meshes) {}
 
     std::optional<SplicedGeometry> run() {
-        if (old_.bvh.nodes.empty() || !old_.solids.empty() || !scene_.get<Solid>().empty())
-            return std::nullopt;
+        if (old_.bvh.nodes.empty() || !old_.solids.empty() || has_solids(scene_)) return std::nullopt;
         number_shapes();
         geometry_.bvh = old_.bvh;
         BvhSplice tree(geometry_.bvh, old_.bounded, [&](std::uint32_t slot) {
