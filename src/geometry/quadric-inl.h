@@ -7,6 +7,8 @@
 #define GLINT_GEOMETRY_QUADRIC_INL_H_
 #endif
 
+#include <algorithm>
+
 #include "geometry/ray-inl.h"
 #include "geometry/traits.h"
 #include "glint/shapes.h"
@@ -19,12 +21,35 @@ struct QuadricGeometry : GeometryTraits {
     static constexpr int k_values = 10;  // the coefficients, in their order
     static constexpr int k_crossings = 4;
     static constexpr bool k_bounded = false;
+    static constexpr bool k_bakes_transform = true;
     static constexpr bool k_only_operand = true;
 
     static void pack(const Quadric& quadric, double* p) {
         for (const Vec3& v : {quadric.squares, quadric.products, quadric.linear})
             *p++ = v.x, *p++ = v.y, *p++ = v.z;
         *p = quadric.constant;
+    }
+    /// f of the point's object coordinates, which are affine in those of the world.
+    static Quadric apply_transform(const Quadric& quadric, const Affine&, const Affine& object_from_world) {
+        const Vec3 a = quadric.squares, b = quadric.products * 0.5, c = quadric.linear * 0.5;
+        const double q[4][4] = {{a.x, b.x, b.y, c.x},
+                                {b.x, a.y, b.z, c.y},
+                                {b.y, b.z, a.z, c.z},
+                                {c.x, c.y, c.z, quadric.constant}};
+        double m[4][4] = {{}, {}, {}, {0, 0, 0, 1}}, r[4][4];
+        for (int i = 0; i < 3; ++i) std::copy_n(object_from_world.m[i], 4, m[i]);
+        for (int i = 0; i < 4; ++i) {
+            for (int j = i; j < 4; ++j) {
+                r[i][j] = 0;
+                for (int k = 0; k < 4; ++k) {
+                    for (int l = 0; l < 4; ++l) r[i][j] += q[k][l] * (m[k][i] * m[l][j]);
+                }
+            }
+        }
+        return {{r[0][0], r[1][1], r[2][2]},
+                {2 * r[0][1], 2 * r[0][2], 2 * r[1][2]},
+                {2 * r[0][3], 2 * r[1][3], 2 * r[2][3]},
+                r[3][3]};
     }
     static bool is_open(const Quadric&) { return false; }
     static void bounds(const Quadric&, Vec3&, Vec3&) {}

@@ -9,7 +9,6 @@
 
 #include "trace/film/film-inl.h"
 #include "trace/film/layers-inl.h"
-#include "trace/hits/faulty_hits-inl.h"
 #include "trace/hits/intersect-inl.h"
 #include "trace/hits/skip_transparent-inl.h"
 #include "trace/lighting/absorption-inl.h"

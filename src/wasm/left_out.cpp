@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // glint-core.wasm, which the page starts with, is linked from the same objects as glint.wasm, but with these
-// functions in place of solids, fog on the ground and outside of objects, formats/povray, the readers of CSC
-// 473's, Tachyon's and .nff scenes, of .obj, .stl and glTF, compare, check, diagnose and the decoders of
-// textures: almost half of the file. They are all that others call of these, so the linker takes nothing else
-// of them. A call that needs one cannot be answered: glint_left_out() then says so, and the page repeats it
-// with glint.wasm.
+// functions in place of solids, faults, fog on the ground and outside of objects, formats/povray, the readers
+// of CSC 473's, Tachyon's and .nff scenes, of .obj, .stl and glTF, compare, check, diagnose and the decoders
+// of textures: almost half of the file. They are all that others call of these, so the linker takes nothing
+// else of them. A call that needs one cannot be answered: glint_left_out() then says so, and the page repeats
+// it with glint.wasm.
 #include <cstdint>
 
 #include "formats/csc473.h"
@@ -19,6 +19,8 @@
 #include "scene/solid_steps.h"
 #include "scene/validate_solid.h"
 #include "trace/hits/hit_rule-inl.h"
+#include "trace/hits/intersect-inl.h"
+#include "trace/lighting/direct_lighting-inl.h"
 #include "trace/lighting/ground_fog.h"
 #include "wasm/api.h"
 #include "world/appearance/interiors.h"
@@ -50,6 +52,14 @@ PackedSolid pack_solid(const Primitives&, const PrimitiveSolid&, std::span<const
 }
 void HWY_NAMESPACE::ShapeTests::solids_leaf(const ShapeClass&, const RayPacket&, std::uint64_t, std::uint32_t,
                                             std::uint32_t) {}
+
+// No world has a fault here: only compare and diagnose make them.
+void HWY_NAMESPACE::put_faulty_hits(const WorldParts&, const RayBatch&, HitBatch&) {}
+void HWY_NAMESPACE::sample_light_with_fault(const WorldParts&, const PreparedLight&, const LightRules&,
+                                            const SurfaceBatch&, LightSampleBatch&, ShadowRayBatch&) {}
+void HWY_NAMESPACE::add_light_with_fault(const WorldParts&, const PreparedLight&, const LightRules&,
+                                         const SurfaceBatch&, const LightSampleBatch&, const HighlightBatch&,
+                                         RadianceBatch&) {}
 
 double fog_along(FogLine, double, double) {
     leave_out();

@@ -61,7 +61,8 @@ std::optional<std::string> check_library(std::string_view path, const Module& mo
         return std::nullopt;
     }
     // The files that compile the kernels for every instruction set.
-    if (path.starts_with("src/trace/") && (path.ends_with("kernels.cpp") || path.ends_with("/solids.cpp")) &&
+    if (path.starts_with("src/trace/") &&
+        (path.ends_with("kernels.cpp") || path.ends_with("/solids.cpp") || path.ends_with("/faults.cpp")) &&
         name == "hwy/foreach_target.h")
         return std::nullopt;
     if (starts_with_any(name, module.libraries)) return std::nullopt;

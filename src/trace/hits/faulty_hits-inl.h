@@ -9,7 +9,7 @@
 #endif
 
 #include "geometry/kinds-inl.h"
-#include "trace/batches.h"
+#include "trace/hits/intersect-inl.h"
 #include "world/geometry/packed_values-inl.h"
 #include "world/world.h"
 
@@ -62,8 +62,7 @@ struct FaultyTest {
     }
 };
 
-/// Replaces the nearest hits of a stream by those of the world's fault, which is of hits.
-inline void put_faulty_hits(const WorldParts& world, const RayBatch& rays, HitBatch& hits) {
+void put_faulty_hits(const WorldParts& world, const RayBatch& rays, HitBatch& hits) {
     const PackedGeometry& geometry = *world.geometry;
     if (geometry.count > k_max_faulty_shapes) return;
     for (std::uint32_t slot = 0; slot < geometry.first_operand(); ++slot) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The stages that intersect rays with shapes: nearest hits, and the occlusion of shadow rays. The kernels are
-// compiled separately, in hit_kernels.cpp.
+// compiled separately, in hit_kernels.cpp and faults.cpp.
 #if defined(GLINT_TRACE_INTERSECT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_INTERSECT_INL_H_
 #undef GLINT_TRACE_INTERSECT_INL_H_
@@ -19,6 +19,10 @@ namespace HWY_NAMESPACE {
 /// See Kernels::nearest_hit and Kernels::any_hit (trace/kernels.h).
 void nearest_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, HitColumns hits);
 void any_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, std::uint8_t* occluded);
+
+/// Replaces the nearest hits of a stream by those of the world's fault, which is of hits
+/// (faulty_hits-inl.h).
+void put_faulty_hits(const WorldParts& world, const RayBatch& rays, HitBatch& hits);
 
 /// Finds the nearest hits of a stream: of the rays from index `first`, at most k_stream_size.
 inline void intersect(const WorldParts& world, const RayBatch& rays, int first, HitBatch& hits) {

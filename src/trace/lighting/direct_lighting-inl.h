@@ -244,13 +244,21 @@ inline void sample_light_by(const Rules& rules, const WorldParts& world, const P
     shadow_rays.count = rays;
 }
 
+/// sample_light() and add_light() of a world with a fault; compiled separately, in trace/faults.cpp.
+void sample_light_with_fault(const WorldParts& world, const PreparedLight& light, const LightRules& rules,
+                             const SurfaceBatch& surfaces, LightSampleBatch& samples,
+                             ShadowRayBatch& shadow_rays);
+void add_light_with_fault(const WorldParts& world, const PreparedLight& light, const LightRules& rules,
+                          const SurfaceBatch& surfaces, const LightSampleBatch& samples,
+                          const HighlightBatch& highlights, RadianceBatch& radiance);
+
 /// Samples a light at all surfaces: its cosines, its attenuation, the surfaces that it may light, and, if
 /// shadows are on, their shadow rays.
 inline void sample_light(const WorldParts& world, const PreparedLight& light, const LightRules& rules,
                          const SurfaceBatch& surfaces, LightSampleBatch& samples,
                          ShadowRayBatch& shadow_rays) {
     if (world.fault != TracerFault::none) {
-        sample_light_by(FaultyLightRules{rules}, world, light, surfaces, samples, shadow_rays);
+        sample_light_with_fault(world, light, rules, surfaces, samples, shadow_rays);
     } else if (rules.is_plain()) {
         sample_light_by(PlainLightRules(rules), world, light, surfaces, samples, shadow_rays);
     } else {
@@ -344,7 +352,7 @@ inline void add_light(const WorldParts& world, const PreparedLight& light, const
                       const SurfaceBatch& surfaces, const LightSampleBatch& samples,
                       const HighlightBatch& highlights, RadianceBatch& radiance) {
     if (world.fault != TracerFault::none) {
-        add_light_by(FaultyLightRules{rules}, world, light, surfaces, samples, highlights, radiance);
+        add_light_with_fault(world, light, rules, surfaces, samples, highlights, radiance);
     } else if (rules.is_plain()) {
         add_light_by(PlainLightRules(rules), world, light, surfaces, samples, highlights, radiance);
     } else {
