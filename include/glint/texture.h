@@ -63,6 +63,9 @@ enum class TextureAlpha : std::uint8_t { blend, mask, ignore };
 /// the mortar (Texture::mortar), and 0.5 in the bricks, boxes of side 1 in layers along y; those of odd
 /// layers are moved by 0.5 in x, those of even layers in z. hexagons: u = 0, 0.25 and 0.5 in turn, in prisms
 /// along y whose hexagons have sides of length 1; neighbours differ, and a corner is at +x of the middle.
+/// noise: u is 0.5 + half of gradient noise (Perlin, 2002), from 0 to below 1. granite: u is the sum of
+/// |noise(4 k p)| / k for k = 1, 2, 4 ... 32, below 1. wrinkles: half the sum of u of noise at k p, over k,
+/// for k = 1, 2 ... 512.
 enum class TextureMapping : std::uint8_t {
     uv,
     planar,
@@ -75,7 +78,10 @@ enum class TextureMapping : std::uint8_t {
     slabs,
     leopard,
     bricks,
-    hexagons
+    hexagons,
+    noise,
+    granite,
+    wrinkles
 };
 
 inline constexpr double k_checker_margin = 1e-10;
@@ -113,6 +119,11 @@ struct Texture {
     double alpha_cutoff = 0.5;  ///< 0 to 1
     /// bricks: the parts of their length, height and depth at the upper ends that are mortar, 0 to 1.
     Vec3 mortar{0.1, 0.1, 0.1};
+    /// Mappings other than uv: p is moved by turbulence times the sum of gain^i noise(lacunarity^i p) for i
+    /// from 0 below octaves, component by component. A fraction of octaves is the part of its last term.
+    Vec3 turbulence;
+    double octaves = 6;                 ///< 0 to 10
+    double gain = 0.5, lacunarity = 2;  ///< 0 to 1; > 0
     /// u and v in the picture from those of the surface: (a u + b v + c, d u + e v + f).
     UvMap uv_map{};
     Affine world_from_texture{};  ///< for mappings other than uv; invertible

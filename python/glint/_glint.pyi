@@ -174,6 +174,10 @@ class Texture:
         alpha: TextureAlpha = ...,
         alpha_cutoff: float = ...,
         mortar: VectorLike = ...,
+        turbulence: VectorLike = ...,
+        octaves: float = ...,
+        gain: float = ...,
+        lacunarity: float = ...,
         uv_map: Any = ...,
         world_from_texture: Any = ...,
     ) -> None: ...
@@ -190,6 +194,10 @@ class Texture:
     alpha: TextureAlpha
     alpha_cutoff: float
     mortar: _VectorField
+    turbulence: _VectorField
+    octaves: float
+    gain: float
+    lacunarity: float
     uv_map: _UvMapField
     world_from_texture: _AffineField
     def __eq__(self, other: object) -> bool: ...

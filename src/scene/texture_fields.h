@@ -11,9 +11,10 @@ inline constexpr std::string_view k_filter_words[] = {"nearest", "bilinear"};
 inline constexpr std::string_view k_mix_words[] = {"multiply", "replace", "multiply_all"};
 inline constexpr std::string_view k_encoding_words[] = {"linear", "srgb"};
 inline constexpr std::string_view k_alpha_words[] = {"blend", "mask", "ignore"};
-inline constexpr std::string_view k_mapping_words[] = {"uv",      "planar",  "spherical", "cylindrical",
-                                                       "checker", "onion",   "rings",     "boxes",
-                                                       "slabs",   "leopard", "bricks",    "hexagons"};
+inline constexpr std::string_view k_mapping_words[] = {
+    "uv",    "planar",  "spherical", "cylindrical", "checker", "onion",   "rings",   "boxes",
+    "slabs", "leopard", "bricks",    "hexagons",    "noise",   "granite", "wrinkles"};
+inline constexpr Range k_octaves{0, 10, false, false, "a number from 0 to 10"};
 
 template <> struct FieldMembers<Texture> {
     template <class Choice> using Chosen = FieldMember<Texture, Choice, ChoiceType>;
@@ -44,6 +45,14 @@ inline constexpr ItemField<Texture> k_texture_fields[] = {
      "with mask: texels of less alpha are holes"},
     {"mortar", "mortar", "mortar", point_field(&Texture::mortar),
      "of bricks: the parts of their length, height and depth that are mortar, 0 to 1"},
+    {"turbulence", "turbulence", "turbulence", point_field(&Texture::turbulence),
+     "how far noise moves the point, in the texture's coordinates; not with uv"},
+    {"octaves", "octaves", "octaves", number_field(&Texture::octaves, k_octaves),
+     "of turbulence: how many sizes of noise are added"},
+    {"gain", "gain", "gain", number_field(&Texture::gain, k_fraction),
+     "of turbulence: the strength of each size in that of the size before"},
+    {"lacunarity", "lacunarity", "lacunarity", number_field(&Texture::lacunarity, k_length),
+     "of turbulence: how many times finer each size is than the size before"},
     {"uv_map", "uv_map", "map of u and v", uv_map_field(&Texture::uv_map),
      "two rows of three numbers: a u + b v + c and d u + e v + f are used instead of u and v"},
 };

@@ -129,7 +129,7 @@ TEST(PovrayPatterns, ATransformMovesThem) {
 
 TEST(PovrayPatterns, WhatIsNotDrawnIsSaid) {
     for (const std::string& pigment :
-         {mapped("bozo"), mapped("onion", "turbulence 0.3"), mapped("onion", "frequency 1.5"),
+         {mapped("crackle"), mapped("onion", "warp { turbulence 0.3 }"), mapped("onion", "frequency 1.5"),
           mapped("spherical", "frequency 2"), mapped("gradient x", "sine_wave"), std::string("onion"),
           std::string("onion color_map { [0.5 rgb 1] [0.2 rgb 0] }"), std::string("brick brick_size 0"),
           std::string("tiles"), std::string("checker pigment { onion } pigment { rgb 1 }"),
@@ -145,6 +145,25 @@ TEST(PovrayPatterns, WhatIsNotDrawnIsSaid) {
     EXPECT_EQ(filtered.value_or(Scene{}).textures.size(), 1u);
     EXPECT_NE(messages(read_pattern_ball("checker rgb 1 rgbf 0.5")).find("it is drawn as transmit"),
               std::string::npos);
+}
+
+// Of the same kind as POV-Ray's, whose tables are not used.
+TEST(PovrayPatterns, NoiseIsGlintsOwnWhichIsSaidOnce) {
+    const Result<Scene> result =
+        read_povray("light_source { 9, 1 }\nsphere { 0, 1 pigment { " + mapped("bozo") +
+                    " } }\nsphere { 3, 1 pigment { " +
+                    mapped("wood", "turbulence <0.1, 0.2, 0.3> octaves 3 omega 0.4 lambda 2.5") + " } }\n");
+    const std::string said = messages(result);
+    const std::size_t first = said.find("glint has its own, with another grain");
+    ASSERT_NE(first, std::string::npos) << said;
+    EXPECT_EQ(said.find("its own", first + 50), std::string::npos) << said;
+    ASSERT_EQ(result->textures.size(), 2u);
+    EXPECT_EQ(result->textures[0].mapping, TextureMapping::noise);
+    EXPECT_EQ(result->textures[0].turbulence, Vec3{});
+    const Texture& wood = result->textures[1];
+    EXPECT_EQ(wood.mapping, TextureMapping::rings);
+    EXPECT_EQ(wood.turbulence, (Vec3{0.1, 0.3, 0.2})) << "along the mapping's axes";
+    EXPECT_EQ(std::tuple(wood.octaves, wood.gain, wood.lacunarity), std::tuple(3, 0.4, 2.5));
 }
 
 TEST(PovrayPatterns, ANewPatternReplacesThatOfANamedPigment) {

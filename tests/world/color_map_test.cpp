@@ -22,6 +22,12 @@ Texture color_texture(std::vector<TextureColor> colors, TextureFilter filter = T
     return texture;
 }
 
+Texture with_mapping(TextureMapping mapping) {
+    Texture texture;
+    texture.mapping = mapping;
+    return texture;
+}
+
 TextureSample color_at(const Texture& texture, double u) {
     return sample_texture(prepare_textures({&texture, 1}).front(), {u, 0.3}).value();
 }
@@ -82,20 +88,20 @@ TEST(ColorMaps, WrapUAsPicturesDo) {
 
 TEST(Patterns, HaveTheirNumberAtAPoint) {
     const Vec3 p{1.25, -2.5, 3.75};
-    EXPECT_EQ(place_on(TextureMapping::onion, p).u, std::sqrt(1.25 * 1.25 + 2.5 * 2.5 + 3.75 * 3.75));
-    EXPECT_EQ(place_on(TextureMapping::rings, p).u, std::sqrt(1.25 * 1.25 + 3.75 * 3.75));
-    EXPECT_EQ(place_on(TextureMapping::boxes, p).u, 3.75);
-    EXPECT_EQ(place_on(TextureMapping::boxes, {1, -2.5, 2}).u, 2.5);
-    EXPECT_EQ(place_on(TextureMapping::slabs, {-1.25, 5, 5}).u, 1.25);
+    EXPECT_EQ(place_on(with_mapping(TextureMapping::onion), p).u,
+              std::sqrt(1.25 * 1.25 + 2.5 * 2.5 + 3.75 * 3.75));
+    EXPECT_EQ(place_on(with_mapping(TextureMapping::rings), p).u, std::sqrt(1.25 * 1.25 + 3.75 * 3.75));
+    EXPECT_EQ(place_on(with_mapping(TextureMapping::boxes), p).u, 3.75);
+    EXPECT_EQ(place_on(with_mapping(TextureMapping::boxes), {1, -2.5, 2}).u, 2.5);
+    EXPECT_EQ(place_on(with_mapping(TextureMapping::slabs), {-1.25, 5, 5}).u, 1.25);
     const double mean = (sin(1.25) + sin(-2.5) + sin(3.75)) / 3;
-    EXPECT_EQ(place_on(TextureMapping::leopard, p).u, mean * mean);
+    EXPECT_EQ(place_on(with_mapping(TextureMapping::leopard), p).u, mean * mean);
 }
 
 TEST(Patterns, BricksAreInMortar) {
-    const Vec3 mortar{0.1, 0.2, 0.3};
-    const auto u = [&](double x, double y, double z) {
-        return place_on(TextureMapping::bricks, {x, y, z}, mortar).u;
-    };
+    Texture bricks = with_mapping(TextureMapping::bricks);
+    bricks.mortar = {0.1, 0.2, 0.3};
+    const auto u = [&](double x, double y, double z) { return place_on(bricks, {x, y, z}).u; };
     for (const double shift : {-4.0, 0.0, 2.0}) {
         // An even layer, and an odd one.
         EXPECT_EQ(u(shift + 0.89, shift + 0.79, shift + 0.19), 0.5);
@@ -111,7 +117,9 @@ TEST(Patterns, BricksAreInMortar) {
 
 TEST(Patterns, HexagonsDifferFromTheirNeighbours) {
     const double height = std::sqrt(3);
-    const auto u = [](double x, double z) { return place_on(TextureMapping::hexagons, {x, 5, z}).u; };
+    const auto u = [](double x, double z) {
+        return place_on(with_mapping(TextureMapping::hexagons), {x, 5, z}).u;
+    };
     for (int i = -4; i <= 4; ++i) {
         for (int j = -4; j <= 4; ++j) {
             const double x = 1.5 * i, z = height * (j + i * 0.5), expected = ((j + 2 * i) % 3 + 3) % 3 / 4.0;
@@ -130,14 +138,14 @@ TEST(Patterns, CheckersAlternate) {
     for (int x = -3; x < 3; ++x)
         for (int y = -3; y < 3; ++y)
             for (int z = -3; z < 3; ++z)
-                EXPECT_EQ(place_on(TextureMapping::checker, {x + 0.5, y + 0.01, z + 0.99}).u,
+                EXPECT_EQ(place_on(with_mapping(TextureMapping::checker), {x + 0.5, y + 0.01, z + 0.99}).u,
                           (x + y + z) % 2 == 0 ? 0 : 0.5);
 }
 
 TEST(Patterns, ASurfaceOnABorderOfACheckerHasOneColor) {
     for (const double y : {2.0, std::nextafter(2.0, 0), 2 - 0x1p-40, 2 + 0x1p-40})
-        EXPECT_EQ(place_on(TextureMapping::checker, {0.5, y, 0.5}).u, 0) << y;
-    EXPECT_EQ(place_on(TextureMapping::checker, {0.5, 2 - 1e-9, 0.5}).u, 0.5);
+        EXPECT_EQ(place_on(with_mapping(TextureMapping::checker), {0.5, y, 0.5}).u, 0) << y;
+    EXPECT_EQ(place_on(with_mapping(TextureMapping::checker), {0.5, 2 - 1e-9, 0.5}).u, 0.5);
 }
 
 constexpr std::string_view k_color_scene = R"(camera { position = (0, 2, 5)  look_at = (0, 0, 0) }

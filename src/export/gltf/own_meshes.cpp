@@ -43,7 +43,7 @@ MeshData with_coordinates(const MeshData& mesh, const Affine& world_from_mesh, c
         double most = 0;
         for (std::size_t k = 0; k < 3; ++k) {
             const Vec3 p = transform_point(texture_from_mesh, mesh.position(triangle[k]));
-            at[k] = place_on(texture.mapping, p, texture.mortar);
+            at[k] = place_on(texture, p);
             is_pole[k] = goes_around && number::abs(p.x) + number::abs(p.z) < 1e-6 * number::abs(p.y);
             if (!is_pole[k]) most = std::max(most, at[k].u);
         }

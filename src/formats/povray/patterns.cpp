@@ -15,6 +15,7 @@ namespace {
 // The axes turned: x, y, z of the mapping are x, y, z of the pattern's row.
 constexpr Affine k_same{};
 constexpr Affine k_y_is_z{{{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}}};
+constexpr Affine k_x_is_z{{{0, 0, -1, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}}};
 constexpr Affine k_x_is_y{{{0, -1, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}}};
 
 // How the pattern's number comes from the mapping's u. periodic: u - floor(u); inward: 1 - u, 0 from u = 1
@@ -28,6 +29,7 @@ struct PatternRow {
     bool is_triangle = false;  // without a wave of its own
     double offset = 0;         // added to u
     Affine pattern_from_mapping = k_same;
+    double turbulence = 0;  // of the pattern itself
 };
 constexpr PatternRow k_patterns[] = {
     {"checker", TextureMapping::checker},
@@ -43,6 +45,12 @@ constexpr PatternRow k_patterns[] = {
     {"leopard", TextureMapping::leopard, Range::plain},
     {"brick", TextureMapping::bricks},
     {"hexagon", TextureMapping::hexagons},
+    {"bozo", TextureMapping::noise, Range::plain},
+    {"spotted", TextureMapping::noise, Range::plain},
+    {"bumps", TextureMapping::noise, Range::plain},
+    {"granite", TextureMapping::granite, Range::plain},
+    {"wrinkles", TextureMapping::wrinkles, Range::plain},
+    {"agate", TextureMapping::planar, Range::periodic, true, 0, k_x_is_z, 1.5},
 };
 
 // A rotation that takes the x axis to a direction of length 1.
@@ -68,6 +76,22 @@ std::vector<TextureColor> block_colors(TextureMapping mapping) {
         default:
             return {};
     }
+}
+
+// Sets the turbulence, that of the pattern itself included, along the mapping's axes. Whether there is noise.
+bool set_noise(glint::Texture& texture, const PatternItems& items, double own) {
+    const Vec3 t = items.turbulence + Vec3{own, own, own};
+    const Affine to_mapping = inverse(texture.world_from_texture).value_or(Affine{});
+    const auto& m = to_mapping.m;
+    const auto along = [&](int axis) {
+        return length(Vec3{m[axis][0] * t.x, m[axis][1] * t.y, m[axis][2] * t.z});
+    };
+    texture.turbulence = Vec3{along(0), along(1), along(2)};
+    texture.octaves = std::clamp(std::floor(items.octaves), 1.0, 10.0);
+    texture.gain = std::clamp(items.omega, 0.0, 1.0);
+    texture.lacunarity = items.lambda;
+    return texture.mapping == TextureMapping::noise || texture.mapping == TextureMapping::granite ||
+           texture.mapping == TextureMapping::wrinkles || !(t == Vec3{});
 }
 
 // How `frequency`, `phase` and the wave change u: factor u + offset, wrapped. Nothing if the engine has no
@@ -121,7 +145,7 @@ void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optio
     }
     read_pattern_items(items, map, parts);
     if (failed()) return;
-    items.is_known = items.is_known && parts.are_plain;
+    items.is_known = items.is_known && parts.are_plain && items.lambda > 0 && items.lambda <= 1e12;
     if (row->mapping == TextureMapping::bricks) {
         const Vec3 size = items.brick_size;
         if (!(size.x > 0 && size.y > 0 && size.z > 0)) return;
@@ -130,7 +154,7 @@ void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optio
         texture.mortar = {part(size.x), part(size.y), part(size.z)};
     }
     const bool is_plain = items.frequency == 1 && items.phase == 0 && !items.is_triangle.value_or(false);
-    if (row->word == "gradient" && items.is_known && is_plain) {
+    if (row->word == "gradient" && items.is_known && is_plain && items.turbulence == Vec3{}) {
         auto gradient = make_counted<GradientPattern>();
         *gradient = {axis, items.map, map};
         pigment.gradient = std::move(gradient);
@@ -145,7 +169,9 @@ void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optio
     texture.uv_map.m[0][2] = change->offset;
     texture.wrap_u = change->wrap;
     pigment.missing.reset();
-    if (has_filter)
+    if (set_noise(texture, items, row->turbulence))
+        pigment.missing = {"noise", "of patterns: glint has its own, with another grain", call_place(item)};
+    else if (has_filter)
         pigment.missing = {"filter", "of a map of colors: it is drawn as transmit", call_place(item)};
     pigment.color = {1, 1, 1, 0, 0};
     pigment.image = make_counted<const glint::Texture>(std::move(texture));
@@ -194,6 +220,12 @@ void TextureParser::read_pattern_items(PatternItems& items, std::optional<Affine
         } else if (word == "frequency" || word == "phase") {
             take();
             (word == "phase" ? items.phase : items.frequency) = number();
+        } else if (word == "turbulence") {
+            take();
+            items.turbulence = vector();
+        } else if (word == "octaves" || word == "omega" || word == "lambda") {
+            take();
+            (word == "octaves" ? items.octaves : word == "omega" ? items.omega : items.lambda) = number();
         } else if (word == "ramp_wave" || word == "triangle_wave") {
             take();
             items.is_triangle = word == "triangle_wave";

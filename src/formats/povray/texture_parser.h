@@ -30,6 +30,8 @@ struct PatternItems {
     std::optional<bool> is_triangle;  ///< else a ramp
     Vec3 brick_size{8, 3, 4.5};
     double mortar = 0.5;
+    Vec3 turbulence;
+    double octaves = 6, omega = 0.5, lambda = 2;
     bool is_known = true;  ///< nothing that the engine does not draw
 };
 

@@ -9,6 +9,7 @@
 #include "math/srgb.h"
 #include "math/transform.h"
 #include "world/appearance/color_map.h"
+#include "world/appearance/noise.h"
 #include "world/geometry/mesh_surface.h"
 
 namespace glint {
@@ -177,7 +178,7 @@ std::optional<TexturePlace> surface_uv(const PackedGeometry& geometry, const Pre
         if (!uv) return std::nullopt;
         return TexturePlace{uv->x, uv->y};
     }
-    return place_on(texture.mapping, transform_point(texture.texture_from_world, point), texture.mortar);
+    return place_on(texture, transform_point(texture.texture_from_world, point));
 }
 
 }  // namespace
@@ -201,8 +202,12 @@ std::vector<PreparedTexture> prepare_textures(std::span<const Texture> textures)
     return prepared;
 }
 
-TexturePlace place_on(TextureMapping mapping, Vec3 p, Vec3 mortar) {
-    switch (mapping) {
+TexturePlace place_on(const Texture& texture, Vec3 p) {
+    if (!(texture.turbulence == Vec3{})) {
+        const Vec3 d = noise_displacement(texture, p), amount = texture.turbulence;
+        p = p + Vec3{amount.x * d.x, amount.y * d.y, amount.z * d.z};
+    }
+    switch (texture.mapping) {
         case TextureMapping::spherical:
             return TexturePlace{around(p), up(p)};
         case TextureMapping::cylindrical:
@@ -221,9 +226,15 @@ TexturePlace place_on(TextureMapping mapping, Vec3 p, Vec3 mortar) {
         case TextureMapping::leopard:
             return TexturePlace{leopard(p), 0};
         case TextureMapping::bricks:
-            return TexturePlace{bricks(p, mortar), 0};
+            return TexturePlace{bricks(p, texture.mortar), 0};
         case TextureMapping::hexagons:
             return TexturePlace{hexagons(p), 0};
+        case TextureMapping::noise:
+            return TexturePlace{noise_pattern(p), 0};
+        case TextureMapping::granite:
+            return TexturePlace{granite(p), 0};
+        case TextureMapping::wrinkles:
+            return TexturePlace{wrinkles(p), 0};
         case TextureMapping::planar:
         case TextureMapping::uv:
             break;

@@ -42,8 +42,8 @@ struct TextureSample {
 };
 
 /// The place that a mapping other than `uv` gives a point in the texture's coordinates, before
-/// Texture::uv_map. mortar: Texture::mortar, of bricks.
-TexturePlace place_on(TextureMapping mapping, Vec3 p, Vec3 mortar = {});
+/// Texture::uv_map.
+TexturePlace place_on(const Texture& texture, Vec3 p);
 
 /// The place of a surface's point. Nothing without texture coordinates.
 std::optional<TexturePlace> texture_place(const PackedGeometry& geometry, const PreparedTexture& texture,
