@@ -32,23 +32,37 @@ TEST(PovRayPolygons, TheFirstPointAgainBeginsAnotherPart) {
     expect_vec(scene.polygon_vertices[4], {8, 6, 0});
 }
 
-TEST(PovRayPolygons, HolesAndCrossingsAreRefusedByName) {
-    EXPECT_NE(said_of_polygons("polygon { 10, " + k_square +
-                               ", <0, 0>, <.5, .5>, <1, .5>, <1, 1>, <.5, 1>, <.5, .5> pigment { rgb 1 } }")
-                  .find("2:1: error: glint does not render `polygon` (with a hole)"),
-              std::string::npos);
-    for (const std::string points :
-         {"5, <0, 0>, <2, 2>, <2, 0>, <0, 2>, <0, 0>",          // a bow tie
-          "5, <0, 2>, <1, -1>, <-1.5, 1>, <1.5, 1>, <-1, -1>",  // a star: all turns are left
-          "4, <0, 0>, <3, 0>, <1, 0>, <1, 1>"}) {               // back on its own edge
-        EXPECT_NE(
-            said_of_polygons("polygon { " + points + " }").find("`polygon` (whose edges cross or touch)"),
-            std::string::npos)
-            << points;
+// The area of the mesh that a polygon becomes.
+double area_of(const std::string& points) {
+    const Scene scene = povray_scene("polygon { " + points + " }");
+    EXPECT_EQ(scene.meshes.size(), 1u) << points;
+    double area = 0;
+    for (const auto& mesh : scene.meshes) {
+        for (const TriangleCorners& t : mesh->triangles) {
+            const Vec3 a = mesh->position(t[0]), b = mesh->position(t[1]), c = mesh->position(t[2]);
+            area += length(cross(b - a, c - a)) / 2;
+        }
     }
-    EXPECT_EQ(said_of_polygons("#declare P = polygon { 4, <0, 0>, <2, 2>, <2, 0>, <0, 2> }\nsphere { 0, 1 }"),
-              "")
-        << "not used";
+    return area;
+}
+
+TEST(PovRayPolygons, WhatAnEvenNumberOfEdgesSurroundsIsAHole) {
+    EXPECT_NEAR(area_of("10, " + k_square + ", <0, 0>, <.5, .5>, <1, .5>, <1, 1>, <.5, 1>, <.5, .5>"), 3.75,
+                1e-6);
+    EXPECT_NEAR(area_of("5, <0, 0>, <2, 2>, <2, 0>, <0, 2>, <0, 0>"), 2, 1e-6) << "a bow tie";
+    const Scene back = povray_scene("polygon { 4, <0, 0>, <3, 0>, <1, 0>, <1, 1> }");
+    EXPECT_EQ(back.get<Triangle>().size(), 1u) << "back on its own edge";
+    const std::string in_space = "<0, 0, 0>, <2, 0, 1>, <2, 2, 1>, <0, 2, 0>, <0, 0, 0>";
+    EXPECT_NEAR(area_of("9, " + in_space + ", <.5, .5, .25>, <1, .5, .5>, <1, 1, .5>, <.5, .5, .25>"),
+                (4 - 0.125) * 1.1180339887, 1e-6);
+    EXPECT_NE(said_of_polygons("difference { box { -1, 1 } polygon { 10, " + k_square +
+                               ", <0, 0>, <.5, .5>, <1, .5>, <1, 1>, <.5, 1>, <.5, .5> } }")
+                  .find("`polygon` (in a solid)"),
+              std::string::npos);
+}
+
+TEST(PovRayPolygons, NearlyTheFirstPointClosesAPart) {
+    EXPECT_NEAR(area_of("9, " + k_square + ", <0, 1e-11>, <.5, .5>, <1, .5>, <1, 1>, <.5, .5>"), 3.875, 1e-6);
 }
 
 TEST(PovRayPolygons, PointsThatAreNotInOnePlaneAreLeftOut) {

@@ -24,12 +24,13 @@ import pov
 import quadrics
 import sky
 import solids
+import sweeps
 import tori
 import transparency
 
 SHARE = 0.99
 LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES, output.RULES, dat.RULES, pov.RULES,
-         images.RULES, patterns.RULES, quadrics.RULES, solids.RULES, tori.RULES]
+         images.RULES, patterns.RULES, quadrics.RULES, solids.RULES, sweeps.RULES, tori.RULES]
 
 
 def read_ppm(path):

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "formats/povray/object_parser.h"
 #include "math/number.h"
@@ -11,13 +10,6 @@
 
 namespace glint::povray {
 namespace {
-
-// As POV-Ray stores it.
-Float3 stored_position(Vec3 v) {
-    constexpr double most = std::numeric_limits<float>::max();
-    return to_single(
-        {std::clamp(v.x, -most, most), std::clamp(v.y, -most, most), std::clamp(v.z, -most, most)});
-}
 
 // The unit vector; of 0 that which POV-Ray takes.
 Float3 stored_normal(Vec3 v) {
@@ -49,10 +41,7 @@ void ObjectParser::read_mesh_triangle(ReadMesh& mesh) {
     TriangleCorners vertices{}, normals{};
     const std::size_t triangle = mesh.triangles.size();
     for (std::size_t i = 0; i < 3 && !failed(); ++i) {
-        vertices[i] = static_cast<std::uint32_t>(mesh.vertices.size());
-        const Vec3 position = vector();
-        mesh.note_if_far(mesh.vertices.size(), position);
-        mesh.vertices.push_back(stored_position(position));
+        vertices[i] = mesh.add_vertex(vector());
         accept(',');
         if (!is_smooth) continue;
         normals[i] = static_cast<std::uint32_t>(mesh.normals.size());
@@ -96,7 +85,7 @@ Object ObjectParser::read_mesh2(const Token& word) {
         switch (item.word()) {
             case Word::k_vertex_vectors:
                 take();
-                mesh->vertices = read_points(stored_position, mesh.get());
+                mesh->vertices = read_points(ReadMesh::stored_position, mesh.get());
                 break;
             case Word::k_normal_vectors:
                 take();

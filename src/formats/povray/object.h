@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Objects and cameras as the text has them.
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -55,6 +57,17 @@ struct ReadMesh {
     void note_if_far(std::size_t vertex, Vec3 position) {
         if (!far && !is_coordinate(position)) far.emplace(vertex, position);
     }
+    static Float3 stored_position(Vec3 v) {
+        constexpr double most = std::numeric_limits<float>::max();
+        return to_single(
+            {std::clamp(v.x, -most, most), std::clamp(v.y, -most, most), std::clamp(v.z, -most, most)});
+    }
+    /// Returns the vertex's number.
+    std::uint32_t add_vertex(Vec3 position) {
+        note_if_far(vertices.size(), position);
+        vertices.push_back(stored_position(position));
+        return static_cast<std::uint32_t>(vertices.size() - 1);
+    }
     /// The values of all triangles can be set afterwards.
     static void set(CountedVector<TriangleCorners>& list, std::size_t triangle,
                     const TriangleCorners& corners) {
@@ -106,6 +119,8 @@ struct Object {
     bool is_open = false, is_no_shadow = false, is_merge = false, is_inverse = false, is_uv = false,
          is_cutaway = false;
     Token at;
+    /// The word of a shape that this mesh or these parts stand for, as "prism"; else empty.
+    std::string_view stands_for;
     std::optional<Affine> map;  ///< world_from_object
     std::shared_ptr<const Texture> texture;
     std::optional<Affine> texture_map;                   ///< of the texture's images: the transforms after it
@@ -126,8 +141,9 @@ struct Object {
 
 /// Whether an object can be an operand of a solid: all shapes in it have an inside that glint knows.
 bool encloses_space(const Object& object);
-/// Adds what is an error of an object and its parts as operands of a solid.
-void add_operand_errors(const Object& object, MissingList& missing);
+/// Adds what is an error of an object and its parts as operands of a solid. stands_for: of the object that it
+/// is a part of.
+void add_operand_errors(const Object& object, MissingList& missing, std::string_view stands_for = {});
 
 /// The width of the default camera's picture, whose height is 1: not 4/3 (POV-Ray, measured).
 inline constexpr double k_default_right = 1.33;

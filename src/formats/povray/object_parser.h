@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Objects: shapes, groups, meshes and lights with their modifiers; and cameras. In objects.cpp, shapes.cpp,
-// modifiers.cpp, meshes.cpp, mesh_lists.cpp, polygons.cpp, lights.cpp and camera.cpp.
+// modifiers.cpp, meshes.cpp, mesh_lists.cpp, polygons.cpp, prisms.cpp, sweeps.cpp, lights.cpp and camera.cpp.
 #include <array>
 #include <optional>
+#include <vector>
 
+#include "formats/povray/even_odd.h"
 #include "formats/povray/number_list.h"
 #include "formats/povray/texture_parser.h"
 
 namespace glint::povray {
+
+struct Outline;  // polygons.cpp
 
 class ObjectParser : public TextureParser {
   protected:
@@ -67,6 +71,16 @@ class ObjectParser : public TextureParser {
     // polygons.cpp
     Object read_polygon(const Token& word);
     void take_outlines(const CountedVector<Vec3>& points, Object& object);
+    bool fill_outlines(const std::vector<Outline>& outlines, Vec3 normal, Vec3 first, Object& object);
+
+    // prisms.cpp
+    Object read_prism(const Token& word);
+    bool read_spline(Object& object);
+    void read_flat_points(std::size_t least, FlatLoop& points);
+
+    // sweeps.cpp
+    Object read_lathe(const Token& word);
+    Object read_sphere_sweep(const Token& word);
 
     // lights.cpp
     Object read_light(const Token& word);

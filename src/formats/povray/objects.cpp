@@ -99,6 +99,12 @@ Object ObjectParser::read_object() {
             return read_mesh2(word);
         case Word::k_polygon:
             return read_polygon(word);
+        case Word::k_prism:
+            return read_prism(word);
+        case Word::k_lathe:
+            return read_lathe(word);
+        case Word::k_sphere_sweep:
+            return read_sphere_sweep(word);
         case Word::k_light_source:
             return read_light(word);
         default:

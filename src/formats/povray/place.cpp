@@ -82,6 +82,7 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
         }
     }
     own.is_uv = object.is_uv || (!object.texture && from.is_uv);
+    if (!object.stands_for.empty()) own.uv_source = UvSource::unknown;
     own.is_no_shadow = from.is_no_shadow || object.is_no_shadow;
     if (object.interior) own.interior = object.interior.get();
     if (!own.interior && object.texture) own.interior = object.texture->finish.interior.get();
@@ -132,7 +133,8 @@ void SceneBuilder::place_shape(const Object& o, const Inherited& from) {
     own.is_solid = o.kind == ObjectKind::sphere || (has_ends && !o.is_open) ||
                    (o.kind == ObjectKind::torus && o.s < o.r);
     std::optional<Affine> sphere;
-    if (o.kind == ObjectKind::sphere && own.texture->pigment.image) {
+    const bool is_whole = own.uv_source != UvSource::unknown;  // not a part of a sphere_sweep
+    if (o.kind == ObjectKind::sphere && is_whole && own.texture->pigment.image) {
         sphere = own.map ? compose(*own.map, translation(o.a)) : translation(o.a);
         own.sphere = &*sphere;
         own.uv_source = UvSource::sphere;

@@ -73,17 +73,18 @@ bool has_clips(const Object& object) {
 
 }  // namespace
 
-void add_operand_errors(const Object& object, MissingList& missing) {
+void add_operand_errors(const Object& object, MissingList& missing, std::string_view stands_for) {
+    if (!object.stands_for.empty()) stands_for = object.stands_for;
     for (const Missing& each : object.missing) {
         if (each.is_error) missing.add(each);
     }
     if (is_open_kind(object)) {
-        Missing open{name_of_open(object.kind), "in a solid", object.at};
+        Missing open{stands_for.empty() ? name_of_open(object.kind) : stands_for, "in a solid", object.at};
         open.is_error = true;
         missing.add(open);
     }
     if (!has_parts(object)) return;
-    for (const ObjectPart& part : *object.parts) add_operand_errors(*part, missing);
+    for (const ObjectPart& part : *object.parts) add_operand_errors(*part, missing, stands_for);
 }
 
 bool encloses_space(const Object& object) {
@@ -200,8 +201,11 @@ void SceneBuilder::place_parts(const Object& object, const Inherited& own) {
                                 [](const Missing& missing) { return missing.is_error; }))
         return;
     Inherited parts = own;
-    const bool is_clear_merge = object.is_merge && !own.clips && may_be_clear(object, own.texture);
-    const bool makes_solid = is_solid || own.in_solid || (is_clear_merge && encloses_space(object));
+    // A sphere_sweep is one shape, which clips cut as a whole.
+    const bool is_cut_sweep = own.clips && !object.stands_for.empty();
+    const bool shows_inside = is_cut_sweep || (!own.clips && may_be_clear(object, own.texture));
+    const bool merges = object.is_merge && shows_inside && encloses_space(object);
+    const bool makes_solid = is_solid || own.in_solid || merges;
     if (makes_solid) {
         parts.in_solid = true;
     } else if (object.is_merge) {

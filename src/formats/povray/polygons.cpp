@@ -10,19 +10,17 @@
 #include "math/transform.h"
 
 namespace glint::povray {
+
+// A closed line of points. Each point but the last is followed by another one.
+struct Outline {
+    CountedVector<Vec3> points;
+    FlatLoop flat;
+    FlatPoint low{1e300, 1e300}, high{-1e300, -1e300};
+};
+
 namespace {
 
 constexpr double k_flat = 3e-10;
-
-struct Point {
-    double x, y;
-};
-
-struct Outline {
-    CountedVector<Vec3> points;  // each but the last is followed by another one
-    std::vector<Point> flat;
-    Point low{1e300, 1e300}, high{-1e300, -1e300};
-};
 
 // The normal of the points' plane, of any length; 0 if all are on a line.
 Vec3 normal_of(const CountedVector<Vec3>& points) {
@@ -38,39 +36,47 @@ Vec3 normal_of(const CountedVector<Vec3>& points) {
 }
 
 // A point in the coordinate plane in which the polygon is largest.
-Point projected(Vec3 p, Vec3 normal) {
+FlatPoint projected(Vec3 p, Vec3 normal) {
     const double x = number::abs(normal.x), y = number::abs(normal.y), z = number::abs(normal.z);
     if (z >= x && z >= y) return {p.x, p.y};
-    return x >= y ? Point{p.y, p.z} : Point{p.z, p.x};
+    return x >= y ? FlatPoint{p.y, p.z} : FlatPoint{p.z, p.x};
+}
+
+// The point of the plane through `first` that is projected to p.
+Vec3 lifted(FlatPoint p, Vec3 normal, Vec3 first) {
+    const FlatPoint from = projected(first, normal), n = projected(normal, normal);
+    const double third = -(n.x * (p.x - from.x) + n.y * (p.y - from.y));
+    const double x = number::abs(normal.x), y = number::abs(normal.y), z = number::abs(normal.z);
+    if (z >= x && z >= y) return {p.x, p.y, first.z + third / normal.z};
+    if (x >= y) return {first.x + third / normal.x, p.x, p.y};
+    return {p.y, first.y + third / normal.y, p.x};
 }
 
 std::vector<Outline> outlines_of(const CountedVector<Vec3>& points, Vec3 normal) {
     std::vector<Outline> out;
-    const auto close = [&](std::size_t first, std::size_t end) {
+    const auto is_same = [](Vec3 a, Vec3 b) {
+        return is_same_coordinate(a.x, b.x) && is_same_coordinate(a.y, b.y) && is_same_coordinate(a.z, b.z);
+    };
+    for_each_loop(points, is_same, [&](std::size_t first, std::size_t end) {
         Outline outline;
         for (std::size_t i = first; i < end; ++i) {
             if (!outline.points.empty() && outline.points.back() == points[i]) continue;
             outline.points.push_back(points[i]);
-            const Point p = outline.flat.emplace_back(projected(points[i], normal));
+            const FlatPoint p = outline.flat.emplace_back(projected(points[i], normal));
             outline.low = {std::min(outline.low.x, p.x), std::min(outline.low.y, p.y)};
             outline.high = {std::max(outline.high.x, p.x), std::max(outline.high.y, p.y)};
         }
         if (outline.points.size() >= 3) out.push_back(std::move(outline));
-    };
-    std::size_t first = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) {
-        if (i == first || points[i] != points[first]) continue;
-        close(first, i);
-        first = i + 1;
-    }
-    if (first < points.size()) close(first, points.size());
+    });
     return out;
 }
 
-double area(Point a, Point b, Point c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+double area(FlatPoint a, FlatPoint b, FlatPoint c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
 
 // Whether two edges without a common end have a common point.
-bool meet(Point a, Point b, Point c, Point d) {
+bool meet(FlatPoint a, FlatPoint b, FlatPoint c, FlatPoint d) {
     const auto apart = [](double p, double q, double r, double s) {
         return std::max(p, q) < std::min(r, s) || std::max(r, s) < std::min(p, q);
     };
@@ -80,11 +86,11 @@ bool meet(Point a, Point b, Point c, Point d) {
 }
 
 // Whether an outline goes once around, always to the same side: the most frequent ones do.
-bool is_convex(const std::vector<Point>& p) {
+bool is_convex(const FlatLoop& p) {
     const std::size_t n = p.size();
     int left = 0, right = 0, turns = 0;
     for (std::size_t i = 0; i < n; ++i) {
-        const Point a = p[i], b = p[(i + 1) % n], c = p[(i + 2) % n];
+        const FlatPoint a = p[i], b = p[(i + 1) % n], c = p[(i + 2) % n];
         const double turn = area(a, b, c);
         left += turn > 0;
         right += turn < 0;
@@ -95,11 +101,11 @@ bool is_convex(const std::vector<Point>& p) {
     return (left == 0 || right == 0) && turns <= 1;
 }
 
-bool is_simple(const std::vector<Point>& p) {
+bool is_simple(const FlatLoop& p) {
     if (is_convex(p)) return true;
     const std::size_t n = p.size();
     for (std::size_t i = 0; i < n; ++i) {
-        const Point a = p[i], b = p[(i + 1) % n], c = p[(i + 2) % n];
+        const FlatPoint a = p[i], b = p[(i + 1) % n], c = p[(i + 2) % n];
         if (area(a, b, c) == 0 && (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y) < 0) return false;
         for (std::size_t k = i + 2; k < n; ++k) {
             if ((k + 1) % n != i && meet(a, b, p[k], p[(k + 1) % n])) return false;
@@ -135,7 +141,30 @@ Object ObjectParser::read_polygon(const Token& word) {
     return object;
 }
 
-// Makes the object a polygon, or a group of several.
+// Makes the object a mesh of what is inside of an odd number of outlines. False if they cross too often.
+bool ObjectParser::fill_outlines(const std::vector<Outline>& outlines, Vec3 normal, Vec3 first,
+                                 Object& object) {
+    CountedVector<FlatLoop> loops;
+    loops.reserve(outlines.size());
+    for (const Outline& outline : outlines) loops.push_back(outline.flat);
+    CountedVector<FlatTriangle> triangles;
+    if (!fill_even_odd(
+            loops, [&](std::uint64_t n) { return spend(n); }, triangles))
+        return false;
+    auto mesh = make_counted<ReadMesh>();
+    mesh->triangles.reserve(triangles.size());
+    mesh->vertices.reserve(3 * triangles.size());
+    const auto add = [&](FlatPoint p) { return mesh->add_vertex(lifted(p, normal, first)); };
+    for (const FlatTriangle& t : triangles) mesh->triangles.push_back({add(t[0]), add(t[1]), add(t[2])});
+    object.kind = ObjectKind::mesh;
+    object.stands_for = "polygon";
+    object.count = 1;
+    object.parts = nullptr;
+    object.mesh = std::move(mesh);
+    return true;
+}
+
+// Makes the object a polygon, a group of several, or a mesh if there are holes.
 void ObjectParser::take_outlines(const CountedVector<Vec3>& points, Object& object) {
     const auto refuse = [&](std::string_view why) {
         object.missing.add({"polygon", why, call_place(object.at), true});
@@ -153,17 +182,24 @@ void ObjectParser::take_outlines(const CountedVector<Vec3>& points, Object& obje
                          "the points of this polygon are not in one plane: as in POV-Ray, it is left out");
     }
     std::vector<Outline> outlines = outlines_of(points, normal);
+    bool are_simple = true;  // each is a Polygon, without holes
     for (std::size_t i = 0; i < outlines.size(); ++i) {
         if (!spend(outlines[i].flat.size() * outlines[i].flat.size() / 64 + i / 8)) return;
         if (outlines[i].points.size() > k_max_polygon_vertices) return refuse("with more than 4096 points");
-        if (!is_simple(outlines[i].flat)) return refuse("whose edges cross or touch");
-        for (std::size_t k = 0; k < i; ++k) {
-            if (!are_apart(outlines[i], outlines[k])) return refuse("with a hole");
-        }
+        are_simple = are_simple && is_simple(outlines[i].flat);
+        for (std::size_t k = 0; k < i && are_simple; ++k) are_simple = are_apart(outlines[i], outlines[k]);
+    }
+    if (!are_simple) {
+        if (!fill_outlines(outlines, normal, points.front(), object) && !failed())
+            refuse("whose edges cross too often");
+        return;
+    }
+    parts->reserve(outlines.size());
+    for (Outline& outline : outlines) {
         Object part;
         part.kind = ObjectKind::polygon;
         part.at = object.at;
-        part.outline = make_counted<CountedVector<Vec3>>(std::move(outlines[i].points));
+        part.outline = make_counted<CountedVector<Vec3>>(std::move(outline.points));
         if (outlines.size() == 1) {
             object = std::move(part);
             return;

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// lathe and sphere_sweep with linear splines, as groups of other shapes: a segment of a lathe's line makes a
+// cone, a cylinder or a disc with a hole. A sphere_sweep is the merge of its spheres with the cones that
+// touch two of them from outside: the center of the circle where such a cone touches a sphere of radius r is
+// r sin a from the sphere's center, and the circle's radius r cos a, where sin a = (r0 - r1) / d, and d the
+// distance of the spheres. If it is not below 1, one sphere holds the other one.
+#include "formats/povray/object_parser.h"
+#include "math/number.h"
+#include "math/transform.h"
+
+namespace glint::povray {
+namespace {
+
+// Radii that rounding errors leave below 0.
+constexpr double k_rounded = 1e-9;
+
+class PartList {
+  public:
+    explicit PartList(const Token& at) : at_(at) {}
+
+    void add(ObjectKind kind, Vec3 a, Vec3 b, double r, double s, bool is_open) {
+        Object part;
+        part.kind = kind;
+        part.at = at_;
+        part.a = a;
+        part.b = b;
+        part.r = r;
+        part.s = s;
+        part.is_open = is_open;
+        parts_->push_back(make_counted<const Object>(std::move(part)));
+    }
+
+    /// They become those of the object.
+    void move_to(Object& object) {
+        object.count = parts_->size();
+        object.depth = 2;
+        object.parts = std::move(parts_);
+    }
+
+  private:
+    Token at_;
+    std::shared_ptr<CountedVector<ObjectPart>> parts_ = make_counted<CountedVector<ObjectPart>>();
+};
+
+void add_turned_segment(FlatPoint from, FlatPoint to, PartList& parts) {
+    const double r = std::max(from.x, 0.0), s = std::max(to.x, 0.0);
+    const Vec3 a{0, from.y, 0}, b{0, to.y, 0};
+    if (r == 0 && s == 0) return;
+    if (from.y == to.y) {
+        if (r != s) parts.add(ObjectKind::disc, a, {0, 1, 0}, std::max(r, s), std::min(r, s), false);
+    } else {
+        parts.add(ObjectKind::cone, a, b, r, s, true);
+    }
+}
+
+struct SweptSphere {
+    Vec3 center;
+    double radius = 0;
+};
+
+void add_swept_segment(const SweptSphere& from, const SweptSphere& to, PartList& parts) {
+    const Vec3 between = to.center - from.center;
+    const double distance = length(between);
+    if (!(number::abs(from.radius - to.radius) < distance)) return;
+    const Vec3 axis = between / distance;
+    const double sine = (from.radius - to.radius) / distance, cosine = number::sqrt(1 - sine * sine);
+    parts.add(ObjectKind::cone, from.center + axis * (from.radius * sine),
+              to.center + axis * (to.radius * sine), from.radius * cosine, to.radius * cosine, false);
+}
+
+}  // namespace
+
+// { spline number, points modifiers }
+Object ObjectParser::read_lathe(const Token& word) {
+    Object object;
+    object.at = word;
+    object.stands_for = "lathe";
+    if (!expect('{')) return object;
+    if (begins_declared(peek()) && begins_object(peek())) return read_copy();
+    if (!read_spline(object)) return object;
+    FlatLoop points;
+    read_flat_points(2, points);
+    if (failed()) return object;
+    PartList parts(word);
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) add_turned_segment(points[i], points[i + 1], parts);
+    parts.move_to(object);
+    // POV-Ray draws parts of it (measured).
+    const bool is_below =
+        std::any_of(points.begin(), points.end(), [](const FlatPoint& p) { return p.x < -k_rounded; });
+    if (is_below) object.missing.add({"lathe", "with a radius below 0", call_place(word), true});
+    read_modifiers(object);
+    return object;
+}
+
+// { spline number, centers, radii tolerance modifiers }
+Object ObjectParser::read_sphere_sweep(const Token& word) {
+    Object object;
+    object.at = word;
+    object.stands_for = "sphere_sweep";
+    object.is_merge = true;
+    if (!expect('{')) return object;
+    if (begins_declared(peek()) && begins_object(peek())) return read_copy();
+    if (!read_spline(object)) return object;
+    accept(',');
+    const Token count_at = peek();
+    const std::size_t count = read_count();
+    if (!failed() && count < 2) error(count_at, "expected at least two spheres of a sphere_sweep");
+    PartList parts(word);
+    bool is_below = false;
+    SweptSphere last;
+    for (std::size_t i = 0; i < count && !failed(); ++i) {
+        SweptSphere sphere;
+        sphere.center = vector();
+        accept(',');
+        sphere.radius = number();
+        accept(',');
+        is_below |= sphere.radius < 0;
+        if (sphere.radius > 0) parts.add(ObjectKind::sphere, sphere.center, {}, sphere.radius, 0, false);
+        if (i > 0) add_swept_segment(last, sphere, parts);
+        last = sphere;
+    }
+    if (failed()) return object;
+    if (peek().kind == TokenKind::word && text_of(peek()) == "tolerance") {
+        take();
+        number();
+    }
+    parts.move_to(object);
+    // POV-Ray draws noise (measured).
+    if (is_below) object.missing.add({"sphere_sweep", "with a radius below 0", call_place(word), true});
+    read_modifiers(object);
+    return object;
+}
+
+}  // namespace glint::povray
