@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "image/png_checksum.h"
 #include "image/texture_files.h"
 
 namespace glint {
@@ -22,22 +22,6 @@ constexpr std::size_t k_most_inflated = 1032;  // bytes that deflate makes of on
 std::uint32_t four_bytes(ByteSpan bytes) {
     return std::uint32_t{bytes[0]} << 24 | std::uint32_t{bytes[1]} << 16 | std::uint32_t{bytes[2]} << 8 |
            bytes[3];
-}
-
-// CRC-32 of ISO 3309, as PNG's annex D computes it. zlib, which has it too, is not in every build.
-std::uint32_t checksum(ByteSpan bytes) {
-    static constexpr auto table = [] {
-        std::array<std::uint32_t, 256> values{};
-        for (std::uint32_t i = 0; i < 256; ++i) {
-            std::uint32_t c = i;
-            for (int k = 0; k < 8; ++k) c = (c & 1) != 0 ? 0xedb88320u ^ c >> 1 : c >> 1;
-            values[i] = c;
-        }
-        return values;
-    }();
-    std::uint32_t crc = 0xffffffffu;
-    for (const std::uint8_t byte : bytes) crc = table[(crc ^ byte) & 255] ^ crc >> 8;
-    return ~crc;
 }
 
 // The chunks that decide the texels.
@@ -88,7 +72,7 @@ class PngWalk {
         static constexpr std::string_view known[] = {"IHDR", "PLTE", "tRNS", "IDAT", "IEND"};
         if (std::none_of(std::begin(known), std::end(known), is_name))
             return undecodable("PNG: an unknown chunk that is needed to decode it");
-        if (checksum(named) != four_bytes(file_.subspan(checksum_at)))
+        if (png_checksum(named) != four_bytes(file_.subspan(checksum_at)))
             return undecodable(fmt::format("PNG: the checksum of {} is wrong", name));
         const ByteSpan data = named.subspan(4);
         if (name == "IHDR") to.header = data;

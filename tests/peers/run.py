@@ -16,6 +16,7 @@ import alpha
 import dat
 import finish
 import fog
+import height_fields
 import images
 import lights
 import output
@@ -30,7 +31,7 @@ import transparency
 
 SHARE = 0.99
 LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES, output.RULES, dat.RULES, pov.RULES,
-         images.RULES, patterns.RULES, quadrics.RULES, solids.RULES, sweeps.RULES, tori.RULES]
+         images.RULES, patterns.RULES, quadrics.RULES, solids.RULES, sweeps.RULES, height_fields.RULES, tori.RULES]
 
 
 def read_ppm(path):

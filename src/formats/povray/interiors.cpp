@@ -14,7 +14,8 @@ void SceneBuilder::inherit_interior(const Object& object, Inherited& own) {
     if (own.has_interior && !object.interior) return;
     own.has_interior = true;
     own.is_hollow = own.hollow.value_or(false);
-    const bool has_parts = object.kind == ObjectKind::group || object.kind == ObjectKind::mesh;
+    const bool has_parts = object.kind == ObjectKind::group || object.kind == ObjectKind::mesh ||
+                           object.kind == ObjectKind::height_field;
     own.body = has_parts ? ++bodies_ : 0;
 }
 

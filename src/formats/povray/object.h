@@ -29,6 +29,7 @@ enum class ObjectKind : std::uint8_t {
     smooth_triangle,
     mesh,
     polygon,
+    height_field,
     group,
     solid,
     light,
@@ -80,6 +81,8 @@ struct ReadMesh {
     }
 };
 
+struct HeightField;  // field_mesh.h
+
 struct LightSource {
     Light light;  ///< position, color and kind; the direction of spots and parallel lights is point_at -
                   ///< position
@@ -128,6 +131,7 @@ struct Object {
     std::shared_ptr<const CountedVector<ObjectPart>> parts;
     std::shared_ptr<const ReadMesh> mesh;
     std::shared_ptr<const CountedVector<Vec3>> outline;  ///< of a polygon
+    std::shared_ptr<const HeightField> field;
     std::shared_ptr<const LightSource> light;
     std::shared_ptr<const Clip> clip;
     CountedVector<ClipObject> clips;  ///< all that cut

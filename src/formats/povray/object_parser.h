@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Objects: shapes, groups, meshes and lights with their modifiers; and cameras. In objects.cpp, shapes.cpp,
-// modifiers.cpp, meshes.cpp, mesh_lists.cpp, polygons.cpp, prisms.cpp, sweeps.cpp, lights.cpp and camera.cpp.
+// modifiers.cpp, meshes.cpp, mesh_lists.cpp, polygons.cpp, prisms.cpp, sweeps.cpp, height_fields.cpp,
+// lights.cpp and camera.cpp.
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "formats/povray/even_odd.h"
@@ -13,6 +15,14 @@
 namespace glint::povray {
 
 struct Outline;  // polygons.cpp
+
+/// What a `height_field` has before its modifiers.
+struct FieldItems {
+    Token name_at;
+    std::string name;
+    double water_level = 0;
+    bool is_smooth = false;
+};
 
 class ObjectParser : public TextureParser {
   protected:
@@ -81,6 +91,10 @@ class ObjectParser : public TextureParser {
     // sweeps.cpp
     Object read_lathe(const Token& word);
     Object read_sphere_sweep(const Token& word);
+
+    // height_fields.cpp
+    Object read_height_field(const Token& word);
+    bool read_field_items(Object& object, FieldItems& items);
 
     // lights.cpp
     Object read_light(const Token& word);

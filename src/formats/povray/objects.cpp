@@ -105,6 +105,8 @@ Object ObjectParser::read_object() {
             return read_lathe(word);
         case Word::k_sphere_sweep:
             return read_sphere_sweep(word);
+        case Word::k_height_field:
+            return read_height_field(word);
         case Word::k_light_source:
             return read_light(word);
         default:

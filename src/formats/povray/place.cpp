@@ -112,6 +112,8 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
     const std::size_t first = scene_.shapes.size();
     if (object.kind == ObjectKind::mesh) {
         place_mesh(object, own);
+    } else if (object.kind == ObjectKind::height_field) {
+        place_field(object, own);
     } else {
         place_shape(object, own);
     }

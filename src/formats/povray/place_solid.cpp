@@ -22,6 +22,7 @@ bool is_open_kind(const Object& object) {
         case ObjectKind::smooth_triangle:
         case ObjectKind::polygon:
         case ObjectKind::mesh:
+        case ObjectKind::height_field:
         case ObjectKind::light:
             return true;
         case ObjectKind::cylinder:

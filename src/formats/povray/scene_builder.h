@@ -82,6 +82,9 @@ class SceneBuilder {
     bool gather_face(const Object& object, const Inherited& own, const Texture& texture);
     MeshParts* parts_of(const Object& object);
 
+    // place_field.cpp
+    void place_field(const Object& object, const Inherited& own);
+
     // report.cpp
     void report(const MissingList& missing);
     bool leave_out(const Object& object);
@@ -141,6 +144,13 @@ class SceneBuilder {
         MeshParts parts;
     };
     CountedHashMap<const ReadMesh*, PlacedMesh> meshes_;
+    // Of each height_field that has been placed.
+    struct PlacedField {
+        std::weak_ptr<const HeightField> field;
+        Affine object_from_world;      // without its translation
+        std::uint32_t index = k_none;  // in Scene::meshes
+    };
+    CountedHashMap<const HeightField*, PlacedField> fields_;
     // The shape that faces which are meshes of their own are gathered in.
     struct Gathered {
         std::shared_ptr<MeshData> data;
