@@ -308,6 +308,9 @@ Numbers ValueParser::call(const Token& name) {
             const Vec3 p = vector_argument(), axis = vector_argument();
             return Numbers(rotate_about(p, axis, number() * (k_pi / 180)));
         }
+        case Word::k_min_extent:
+        case Word::k_max_extent:
+            return extent(name);
         default:
             error(name, fmt::format("{}() is not a function of numbers here", to_string(name.word())));
             return {};

@@ -23,8 +23,15 @@ void ObjectParser::read_modifiers(Object& object) {
 }
 
 bool ObjectParser::read_modifier(Object& object) {
-    if (read_transform_item(object.map, object.texture ? &object.texture_map : nullptr)) return true;
     const Token item = peek();
+    Affine step;
+    if (read_transform_item(object.map, object.texture ? &object.texture_map : nullptr, &step)) {
+        object.is_moved_by_matrix |= item.word() == Word::k_matrix || item.word() == Word::k_transform;
+        const bool has_steps = object.kind == ObjectKind::group || object.kind == ObjectKind::solid ||
+                               object.kind == ObjectKind::mesh;
+        if (has_steps) object.steps.push_back(step);
+        return true;
+    }
     switch (item.word()) {
         case Word::k_texture:
             take();
@@ -81,6 +88,8 @@ bool ObjectParser::read_modifier(Object& object) {
             read_clip(object);
             return true;
         case Word::k_bounded_by:
+            object.is_bounded = true;
+            [[fallthrough]];
         case Word::k_photons:
         case Word::k_radiosity:
             take();

@@ -120,11 +120,13 @@ struct Object {
     double r = 0,
            s = 0;  ///< radii; plane: the distance; disc: that of the hole in s; quadric: the constant in s
     bool is_open = false, is_no_shadow = false, is_merge = false, is_inverse = false, is_uv = false,
-         is_cutaway = false;
+         is_cutaway = false, is_bounded = false;
+    bool is_moved_by_matrix = false;  ///< by `matrix` or `transform`
     Token at;
     /// The word of a shape that this mesh or these parts stand for, as "prism"; else empty.
     std::string_view stands_for;
-    std::optional<Affine> map;  ///< world_from_object
+    std::optional<Affine> map;    ///< world_from_object
+    CountedVector<Affine> steps;  ///< of groups, solids and meshes: the transforms of `map` one by one
     std::shared_ptr<const Texture> texture;
     std::optional<Affine> texture_map;                   ///< of the texture's images: the transforms after it
     std::shared_ptr<const std::array<Vec3, 3>> normals;  ///< of a smooth triangle

@@ -59,8 +59,9 @@ class TextureParser : public ValueParser {
     /// What #default changes.
     Texture& default_texture() { return default_texture_; }
 
-    /// also: a second map that the transform is added to.
-    bool read_transform_item(std::optional<Affine>& map, std::optional<Affine>* also = nullptr);
+    /// also: a second map that the transform is added to; found: the transform by itself.
+    bool read_transform_item(std::optional<Affine>& map, std::optional<Affine>* also = nullptr,
+                             Affine* found = nullptr);
     Affine read_transform_block();
 
     static bool is_opaque(Word word);

@@ -6,7 +6,8 @@
 namespace glint::povray {
 
 // translate, rotate, scale, matrix, transform: false if none of them is next.
-bool TextureParser::read_transform_item(std::optional<Affine>& map, std::optional<Affine>* also) {
+bool TextureParser::read_transform_item(std::optional<Affine>& map, std::optional<Affine>* also,
+                                        Affine* found) {
     const Token at = peek();
     Affine step;
     switch (at.word()) {
@@ -41,6 +42,7 @@ bool TextureParser::read_transform_item(std::optional<Affine>& map, std::optiona
         default:
             return false;
     }
+    if (found != nullptr) *found = step;
     if (step == Affine()) return true;
     map = map ? compose(step, *map) : step;
     if (also != nullptr) *also = *also ? compose(step, **also) : step;

@@ -106,6 +106,7 @@ class ValueParser : public TokenStream {
 
     // values.cpp
     Value identifier_value(const Token& name);
+    Numbers extent(const Token& function);
 
     // arrays.cpp
     Value array_value(const Token& at);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "formats/povray/extents.h"
 #include "formats/povray/value_parser.h"
 
 namespace glint::povray {
@@ -102,6 +103,25 @@ bool ValueParser::read_defined() {
     }
     expect(')');
     return is_defined;
+}
+
+// A corner of the box around a declared object.
+Numbers ValueParser::extent(const Token& function) {
+    const Token name = take();
+    const auto object = named<Object>(name);
+    if (object == nullptr) {
+        error(name, fmt::format("expected the name of an object, found {}{}", describe(name), what_is(name)));
+        return {};
+    }
+    std::string_view why;
+    const auto box = extent_of(
+        *object, [&](std::uint64_t n) { return spend(n); }, why);
+    if (!box) {
+        error(function,
+              fmt::format("glint does not know {}() of this object: {}", to_string(function.word()), why));
+        return {};
+    }
+    return Numbers(function.word() == Word::k_min_extent ? box->low : box->high);
 }
 
 }  // namespace glint::povray
