@@ -88,6 +88,21 @@ TEST(PovRayHeightFields, SmoothOnesHaveNormalsOfEachPlace) {
               1u);
 }
 
+// Noise: its normals would need many triangles in each square.
+TEST(PovRayHeightFields, TooManyDividedSquaresAreWarnedOf) {
+    const auto said = [](std::size_t size) {
+        std::string rough = "P5\n" + std::to_string(size) + " " + std::to_string(size) + "\n255\n";
+        for (std::size_t i = 0; i < size * size; ++i)
+            rough += static_cast<char>((i * i * 7 + i / size) % 251);
+        TextSources sources({{"rough.pgm", rough}});
+        return messages(read_povray(
+            "light_source { <0, 0, -9>, rgb 1 }\nheight_field { pgm \"rough.pgm\" smooth }", &sources));
+    };
+    EXPECT_EQ(said(20), "");
+    EXPECT_NE(said(900).find("2:1: warning: the normals of this smooth height_field are linear"),
+              std::string::npos);
+}
+
 TEST(PovRayHeightFields, WhatIsNotRenderedIsRefusedByName) {
     const std::pair<std::string, std::string> refused[] = {
         {"height_field { function 9, 9 { pigment { gradient x } } rotate x }",

@@ -170,7 +170,8 @@ class ExtentReader {
         if (!spend_(field.heights.size() / 16)) return std::nullopt;
         const auto [low, high] = std::minmax_element(field.heights.begin(), field.heights.end());
         const double most_x = field.width - 1, most_z = field.depth - 1;
-        const Extent box{{0, std::max<double>(*low, field.water), 0}, {most_x, static_cast<double>(*high), most_z}};
+        const Extent box{{0, std::max<double>(*low, field.water), 0},
+                         {most_x, static_cast<double>(*high), most_z}};
         return mapped(box, compose(map, cube_from_grid(field)));
     }
 

@@ -24,7 +24,7 @@ class FieldMesh {
     FieldMesh(const HeightField& field, const Affine& object_from_world)
         : field_(field), object_from_world_(object_from_world) {}
 
-    std::shared_ptr<const MeshData> make() {
+    FieldMeshResult make() {
         vertices().reserve(field_.heights.size());
         if (field_.is_smooth) normals().reserve(field_.heights.size());
         for (std::uint32_t z = 0; z < field_.depth; ++z) {
@@ -44,7 +44,7 @@ class FieldMesh {
             if (n > 1) return add_parts(x, z, n);
             add_square(z * field_.width + x, field_.width);
         });
-        return std::move(mesh_);
+        return {std::move(mesh_), tolerance_ > k_normal_tolerance};
     }
 
   private:
@@ -189,7 +189,7 @@ std::uint64_t bytes_of_mesh(const HeightField& field) {
     return triangles * (sizeof(TriangleCorners) + vertex) * (field.water > 0 ? 2 : 1);
 }
 
-std::shared_ptr<const MeshData> mesh_of_field(const HeightField& field, const Affine& object_from_world) {
+FieldMeshResult mesh_of_field(const HeightField& field, const Affine& object_from_world) {
     return FieldMesh(field, object_from_world).make();
 }
 

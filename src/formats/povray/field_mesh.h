@@ -18,8 +18,13 @@ struct HeightField {
 /// What the mesh of a field may take.
 std::uint64_t bytes_of_mesh(const HeightField& field);
 
+struct FieldMeshResult {
+    std::shared_ptr<const MeshData> data;
+    bool is_coarse = false;  ///< too many squares would have to be divided for POV-Ray's normals
+};
+
 /// The mesh of a field with its map: x and z are the numbers of vertices, y is the height in parts of 65536.
-std::shared_ptr<const MeshData> mesh_of_field(const HeightField& field, const Affine& object_from_world);
+FieldMeshResult mesh_of_field(const HeightField& field, const Affine& object_from_world);
 
 /// The map to the cube from 0 to 1.
 Affine cube_from_grid(const HeightField& field);

@@ -17,8 +17,14 @@ void SceneBuilder::place_field(const Object& object, const Inherited& own) {
     PlacedField& placed = fields_[&field];
     if (placed.index == k_none || (field.is_smooth && !(placed.object_from_world == *back))) {
         if (!stream_.has_room(bytes_of_mesh(field), object.at)) return;
-        auto data = mesh_of_field(field, *back);
+        auto [data, is_coarse] = mesh_of_field(field, *back);
         if (data->triangles.empty()) return;  // all is below the water
+        if (is_coarse) {
+            stream_.warn_once(
+                "coarse height_field", object.at,
+                "the normals of this smooth height_field are linear in the triangles of so many "
+                "texels, not bilinear in their squares as in POV-Ray: the picture will differ");
+        }
         placed = {object.field, *back, static_cast<std::uint32_t>(scene_.meshes.size())};
         scene_.meshes.push_back(std::move(data));
         if (!stream_.is_within_memory(object.at)) return;
