@@ -516,6 +516,24 @@ class Torus(Shape):
     radius: float
     tube: float
 
+class Quadric(Shape):
+    def __init__(
+        self,
+        squares: VectorLike = ...,
+        products: VectorLike = ...,
+        linear: VectorLike = ...,
+        constant: float = ...,
+        *,
+        material: Optional[Material] = ...,
+        color: Optional[ColorLike] = ...,
+        transform: Any = ...,
+        name: str = ...,
+    ) -> None: ...
+    squares: _VectorField
+    products: _VectorField
+    linear: _VectorField
+    constant: float
+
 class Box(Shape):
     def __init__(
         self,

@@ -209,6 +209,7 @@ def test_every_kind_of_shape():
         glint.Polygon([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]),
         glint.Mesh([(0, 0, 0), (1, 0, 0), (1, 1, 0.1), (0, 1, 0)], [(0, 1, 2), (0, 2, 3)]),
         glint.Torus((0, 1, 0), (0, 1, 0), 2, 0.5),
+        glint.Quadric((1, 2, 1), (0.5, 0, 0), (0, -1, 0), -0.5),
         glint.Disc((0, 1, 0), (0, 1, 0), 2, hole=0.5),
         glint.Sphere() - glint.Box(),
     ]
@@ -216,7 +217,7 @@ def test_every_kind_of_shape():
         scene.add(shape)
     assert [s.kind for s in scene.shapes] == [
         "sphere", "plane", "cylinder", "cone", "disc", "box", "triangle", "smooth_triangle", "polygon", "mesh",
-        "torus", "disc", "solid",
+        "torus", "quadric", "disc", "solid",
     ]  # fmt: skip
     assert glint.loads(scene.to_glint()).to_glint() == scene.to_glint()
     scene.shapes[8].vertices = [(0, 0, 0), (2, 0, 0), (2, 2, 0)]

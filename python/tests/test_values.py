@@ -34,6 +34,7 @@ VALUES = [
     glint.Disc((0, 0, 0), (0, 0, 1), 2),
     glint.Disc((0, 0, 0), (0, 0, 1), 2, 0.5),
     glint.Torus((1, 0, 0), (0, 0, 1), 2, 0.25),
+    glint.Quadric((1, -1, 1), constant=-0.25),
     glint.Box((0, 0, 0), (1, 2, 3)),
     glint.Triangle(VERTICES),
     glint.SmoothTriangle(VERTICES, [(0, 0, 1)] * 3),

@@ -8,6 +8,8 @@
 #include "world/appearance/shading.h"
 #include "world/geometry/edit_index.h"
 #include "world/geometry/packed_mesh.h"
+#include "world/geometry/primitive_bounds-inl.h"
+#include "world/geometry/primitives.h"
 #include "world/prepare_camera.h"
 
 namespace glint {
@@ -20,6 +22,13 @@ WorldParts empty_parts() {
     parts.background = scene.background;
     parts.camera = prepare_camera(scene.camera, scene.settings);
     return parts;
+}
+
+bool is_endless(const Aabb& box) {
+    for (int a = 0; a < 3; ++a) {
+        if (box.lo[a] <= -k_endless || box.hi[a] >= k_endless) return true;
+    }
+    return false;
 }
 
 template <class T> std::size_t bytes(const std::vector<T>& values) { return values.capacity() * sizeof(T); }
@@ -87,6 +96,15 @@ WorldMemory memory_usage(const World& world) {
     return m;
 }
 
-Bounds scene_bounds(const World& world) { return to_bounds(world.parts().geometry->bvh.bounds); }
+Bounds scene_bounds(const World& world) {
+    const PackedGeometry& geometry = *world.parts().geometry;
+    if (!is_endless(geometry.bvh.bounds)) return to_bounds(geometry.bvh.bounds);
+    Aabb all;
+    for (std::uint32_t slot = 0; slot < geometry.bounded; ++slot) {
+        const Aabb box = HWY_NAMESPACE::primitive_bounds(geometry, slot);
+        if (!is_endless(box)) all.add(box);
+    }
+    return to_bounds(all);
+}
 
 }  // namespace glint

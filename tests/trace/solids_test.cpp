@@ -346,5 +346,23 @@ TEST(Solids, AQuadricByItselfIsASolidOfOne) {
     EXPECT_GT(hits, 500);
 }
 
+// A solid without ends does not count for the bounds of the scene, which frame its picture.
+TEST(Solids, WithoutEndsAreNotBounded) {
+    Scene scene;
+    scene.add(Quadric{{1, 0, 1}, {}, {}, -1});
+    EXPECT_GT(scene_bounds(*make_world(scene)).min.x, scene_bounds(*make_world(scene)).max.x);
+    scene.add(Sphere{{1, 2, 3}, 0.5});
+    scene.add(Plane{});
+    scene.add(Sphere{});
+    combine_last(scene, SolidOperation::difference, 2);
+    scene.add(Sphere{{-4, 0, 0}, 1});
+    scene.add(Plane{});
+    combine_last(scene, SolidOperation::intersection, 3);
+    const Bounds box = scene_bounds(*make_world(scene));
+    EXPECT_NEAR(box.min.x, -5, 1e-5);
+    EXPECT_NEAR(box.max.x, 1.5, 1e-5);
+    EXPECT_NEAR(box.max.y, 2.5, 1e-5);
+}
+
 }  // namespace
 }  // namespace glint::test

@@ -233,8 +233,7 @@ int Primitives::pack_mesh(const Shape& shape, double* values) const {
 // What contains the solid: its steps, applied to the operands' boxes. Half-spaces have none, and neither has
 // the outside of a shape.
 Aabb Primitives::box_of_solid(const PrimitiveSolid& solid) const {
-    constexpr float k_far = 4e12f;  // beyond all coordinates
-    const Aabb all{{-k_far, -k_far, -k_far}, {k_far, k_far, k_far}};
+    const Aabb all{{-k_endless, -k_endless, -k_endless}, {k_endless, k_endless, k_endless}};
     std::vector<Aabb> boxes;
     std::uint32_t operand = solid.first;
     for (const SolidStep& step : solid.tree->steps) {

@@ -41,6 +41,9 @@ bool has_solids(const Scene& scene);
 /// Whether a shape of the scene has several elements.
 bool has_elements(const Scene& scene);
 
+/// The ends of the box of a solid without ends, as a half-space has: beyond all coordinates.
+inline constexpr float k_endless = 4e12f;
+
 /// Properties of a class.
 struct ClassTraits {
     int values = 0;          // number of values of a packed primitive
