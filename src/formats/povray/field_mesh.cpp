@@ -38,7 +38,7 @@ class FieldMesh {
             const std::uint64_t most = std::max(k_most_triangles, triangles);
             while ((triangles = count_triangles()) > most) tolerance_ *= 4;
         }
-        mesh_->triangles.reserve(triangles);
+        mesh_->triangles.reserve(static_cast<std::size_t>(triangles));
         for_each_square([&](std::uint32_t x, std::uint32_t z) {
             const int n = field_.is_smooth ? parts_of(x, z) : 1;
             if (n > 1) return add_parts(x, z, n);
