@@ -22,8 +22,8 @@ std::string errors_of(const Result<Scene>& result) {
 }
 
 std::vector<float> small_picture(Scene scene) {
-    scene.settings.width = 48;
-    scene.settings.height = 36;
+    scene.settings.width = 16;
+    scene.settings.height = 12;
     scene.settings.samples = 1;
     scene.settings.reflections = std::min(scene.settings.reflections, 4);
     // first_difference() has compared the numbers of samples.
