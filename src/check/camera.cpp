@@ -117,6 +117,11 @@ bool check_camera(CheckContext& context, const VisibleHits& visible) {
         return false;
     }
     const Bounds all = scene_bounds(context.prepared());
+    if (!(all.min.x <= all.max.x)) {
+        context.report("camera-sees-nothing", place, "the camera sees none of the scene's shapes",
+                       "turn the camera towards a shape");
+        return false;
+    }
     const Vec3 middle = (all.min + all.max) * 0.5, way = middle - world.camera.position;
     const double along = dot(way, normalize(world.camera.forward));
     const bool away = along <= 0;

@@ -178,5 +178,13 @@ TEST(PovrayPatterns, ANewPatternReplacesThatOfANamedPigment) {
     }
 }
 
+TEST(PovrayPatterns, AMapWithoutItsBracketIsAnError) {
+    for (const char* const map : {"color_map { rgb 1][1 rgb 0] }", "pigment_map { rgb 1][1 rgb 0] }"}) {
+        const Result<Scene> result = read_pattern_ball("onion " + std::string(map));
+        EXPECT_FALSE(result) << map;
+        EXPECT_NE(messages(result).find("expected `}`"), std::string::npos) << messages(result);
+    }
+}
+
 }  // namespace
 }  // namespace glint::test

@@ -97,7 +97,8 @@ bool TextureParser::read_part_map(CountedVector<ColorMapEntry>& map, PatternPart
         if (!at.is('[')) {  // a named map
             skip_rest();
             parts.are_plain = false;
-            continue;
+            expect('}');
+            break;
         }
         take();
         ColorMapEntry entry{number(), {}};
@@ -138,7 +139,8 @@ bool TextureParser::read_color_map(CountedVector<ColorMapEntry>& map) {
         }
         if (!at.is('[')) {
             skip_rest();
-            continue;
+            expect('}');
+            break;
         }
         take();
         ColorMapEntry entry{number(), {}};

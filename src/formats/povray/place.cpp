@@ -20,6 +20,17 @@ bool is_diagonal(const Affine& map) {
     return true;
 }
 
+// Along an axis. POV-Ray gives some of them a box that is too small when they are cut (measured).
+bool is_paraboloid(const Object& quadric) {
+    const double squares[] = {quadric.a.x, quadric.a.y, quadric.a.z},
+                 linear[] = {quadric.c.x, quadric.c.y, quadric.c.z};
+    for (int i = 0; i < 3; ++i) {
+        const double first = squares[(i + 1) % 3], second = squares[(i + 2) % 3];
+        if (squares[i] == 0 && linear[i] != 0 && first * second > 0) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 double similarity(const Affine& map) {
@@ -198,6 +209,12 @@ void SceneBuilder::place_shape(const Object& o, const Inherited& from) {
             break;
         }
         case ObjectKind::quadric:
+            if ((own.in_solid || own.clips) && is_paraboloid(o)) {
+                stream_.warn_once(
+                    "paraboloid", o.at,
+                    "POV-Ray may cut off a part of a paraboloid in a solid or with clipped_by: the "
+                    "picture may differ");
+            }
             add(Quadric{o.a, o.b, o.c, o.s}, material, map, o.at);
             break;
         case ObjectKind::triangle:
