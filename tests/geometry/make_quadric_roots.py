@@ -9,26 +9,12 @@ import random
 
 from decimal import Decimal as D
 
+from make_torus_roots import cross, dot, unit
+
 decimal.getcontext().prec = 120  # digits
 
 # The squares' coefficients of an ellipsoid, hyperboloids and cones, cylinders, paraboloids, saddles, planes.
 SQUARES = ((1, 2, 3), (1, -1, 1), (1, -2, -1), (1, 0, 1), (1, 0, 2), (1, 0, -1), (0, 0, 0))
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def unit(rng):
-    while True:
-        v = [rng.uniform(-1, 1) for _ in range(3)]
-        size = math.sqrt(dot(v, v))
-        if 0.1 < size < 1:
-            return [x / size for x in v]
-
-
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
 def scaled(v):

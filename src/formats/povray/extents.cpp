@@ -3,7 +3,8 @@
 // all transforms. A sphere remains one while it is only turned, moved and scaled evenly. The box of a group,
 // a solid or a mesh is that of the corners of the box before each transform. An intersection has what is
 // common to its parts, of which planes count that are perpendicular to an axis, and inverse parts do not; if
-// that is nothing, or without a bound, the box is that of all space. clipped_by does not count.
+// that is nothing, or without a bound, the box is that of all space. Planes of clipped_by do not count; the
+// boxes of other clips count for some kinds, by a rule that is not known.
 #include "formats/povray/extents.h"
 
 #include <algorithm>
@@ -69,6 +70,10 @@ class ExtentReader {
     std::optional<Extent> of(const Object& object) {
         if (!spend_(1)) return std::nullopt;
         if (object.is_bounded) return unknown("with bounded_by");
+        const bool is_cut = std::any_of(object.clips.begin(), object.clips.end(), [](const ClipObject& clip) {
+            return clip.object->kind != ObjectKind::plane;
+        });
+        if (is_cut) return unknown("with clipped_by");
         const Affine map = object.map.value_or(Affine());
         switch (object.kind) {
             case ObjectKind::sphere:
@@ -126,10 +131,13 @@ class ExtentReader {
     std::optional<Extent> of_sphere(const Object& object, const Affine& map) {
         const Vec3 reach{object.r, object.r, object.r};
         const double factor = similarity(map);
-        if (object.is_moved_by_matrix) return mapped(ball(object.a, reach), map);
+        const Extent turned = mapped(ball(object.a, reach), map);
+        const auto column = [&](int i) { return Vec3{map.m[0][i], map.m[1][i], map.m[2][i]}; };
+        if (object.is_moved_by_matrix) return turned;
+        const bool is_mirrored = dot(cross(column(0), column(1)), column(2)) < 0;
+        if (is_mirrored && !is_diagonal(map)) return unknown("a sphere that is turned and mirrored");
         if (factor > 0) return ball(transform_point(map, object.a), reach * factor);
         const auto row = [&](int i) { return Vec3{map.m[i][0], map.m[i][1], map.m[i][2]}; };
-        const auto column = [&](int i) { return Vec3{map.m[0][i], map.m[1][i], map.m[2][i]}; };
         const auto are_square = [](Vec3 a, Vec3 b, Vec3 c) {
             const double limit = k_aligned * std::max({dot(a, a), dot(b, b), dot(c, c)});
             return number::abs(dot(a, b)) <= limit && number::abs(dot(a, c)) <= limit &&
@@ -139,7 +147,7 @@ class ExtentReader {
             const Vec3 sizes{length(row(0)), length(row(1)), length(row(2))};
             return ball(transform_point(map, object.a), sizes * object.r);
         }
-        if (are_square(column(0), column(1), column(2))) return mapped(ball(object.a, reach), map);
+        if (are_square(column(0), column(1), column(2))) return turned;
         return unknown("a sphere that is turned, stretched and turned again");
     }
 

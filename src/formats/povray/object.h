@@ -156,6 +156,8 @@ inline constexpr double k_default_right = 1.33;
 
 /// The factor of a map that keeps all angles, or 0.
 double similarity(const Affine& map);
+/// Whether a map only scales and moves along the axes.
+bool is_diagonal(const Affine& map);
 
 /// Of a smooth triangle outside of a mesh: POV-Ray leaves those out (measured).
 bool has_normals_on_both_sides(const std::array<Vec3, 3>& vertices, const std::array<Vec3, 3>& normals);

@@ -11,15 +11,6 @@
 namespace glint::povray {
 namespace {
 
-bool is_diagonal(const Affine& map) {
-    for (int r = 0; r < 3; ++r) {
-        for (int c = 0; c < 3; ++c) {
-            if (r != c && map.m[r][c] != 0) return false;
-        }
-    }
-    return true;
-}
-
 // Along an axis. POV-Ray gives some of them a box that is too small when they are cut (measured).
 bool is_paraboloid(const Object& quadric) {
     const double squares[] = {quadric.a.x, quadric.a.y, quadric.a.z},
@@ -32,6 +23,15 @@ bool is_paraboloid(const Object& quadric) {
 }
 
 }  // namespace
+
+bool is_diagonal(const Affine& map) {
+    for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 3; ++c) {
+            if (r != c && map.m[r][c] != 0) return false;
+        }
+    }
+    return true;
+}
 
 double similarity(const Affine& map) {
     const auto column = [&](int i) { return Vec3{map.m[0][i], map.m[1][i], map.m[2][i]}; };
