@@ -470,5 +470,25 @@ TEST(PovRay, HostileTextsEndWithAMessage) {
     }
 }
 
+TEST(PovRay, WritesNoFiles) {
+    const std::string write =
+        "#declare S = seed(1); #fopen Out \"list.txt\" write\n"
+        "#write(Out, \"a\", 1 + 1, <1, 2, 3>, rand(S))\n#ifdef(Out) sphere { 0, 1 } #end\n"
+        "#fclose Out\n#ifdef(Out) sphere { 0, 2 } #end\n";
+    EXPECT_EQ(povray_scene(write).get<Sphere>().size(), 1u);
+    EXPECT_EQ(messages(read_povray(write)).substr(0, 72),
+              "a.pov:1:30: warning: glint does not write files of a text: 'list.txt'\n  ");
+    EXPECT_NE(messages(read_povray("#fopen In \"list.txt\" read\n")).find("1:22: error: glint does not read"),
+              std::string::npos);
+    EXPECT_NE(messages(read_povray("#fopen In \"list.txt\" sphere\n"))
+                  .find("1:22: error: expected `read`, `write` or `append`, found 'sphere'"),
+              std::string::npos);
+    EXPECT_NE(messages(read_povray("#write(Out, 1)")).find("1:8: error: expected an open file, found 'Out'"),
+              std::string::npos);
+    EXPECT_NE(messages(read_povray("#fopen Out \"a\" append #write(Out, sphere { 0, 1 })"))
+                  .find("expected a text, a number or a vector, found an object"),
+              std::string::npos);
+}
+
 }  // namespace
 }  // namespace glint::test

@@ -25,6 +25,12 @@ class DirectiveParser : public ObjectParser {
     void read_version();
     void read_message(const Token& at);
 
+    // files.cpp
+    void read_fopen();
+    bool is_file(const Token& name);
+    void read_write();
+    void read_fclose();
+
     // macros.cpp
     void read_macro(const Token& at);
 

@@ -54,10 +54,14 @@ void DirectiveParser::read_directive(const Token& at) {
         case Word::k_render:
         case Word::k_statistics:
             return read_message(at);
+        case Word::k_fopen:
+            return read_fopen();
+        case Word::k_write:
+            return read_write();
+        case Word::k_fclose:
+            return read_fclose();
         default:
-            error(at, fmt::format("`#{}` (files of its own) is of POV-Ray's language; glint does not read or "
-                                  "write other files",
-                                  to_string(at.directive())));
+            error(at, "`#read` of POV-Ray's language: glint does not read other files");
     }
 }
 
