@@ -112,8 +112,9 @@ Unseen find_unseen(const WorldParts& world, const std::vector<bool>& seen) {
     for (std::uint32_t slot = 0; slot < world.geometry->first_operand(); ++slot) {
         Place& place = places[world.geometry->shape_index[slot]];
         if (slot < world.geometry->bounded) {
-            place = std::max(
-                place, frame.place_of(to_bounds(HWY_NAMESPACE::primitive_bounds(*world.geometry, slot))));
+            const Aabb box = HWY_NAMESPACE::primitive_bounds(*world.geometry, slot);
+            if (is_endless(box)) continue;  // where it is, is not known
+            place = std::max(place, frame.place_of(to_bounds(box)));
         } else {
             const ShapeClass& planes = world.geometry->class_of(slot);
             const auto value = [&](int k) { return planes.value(k, slot); };

@@ -7,7 +7,7 @@
 #include "math/elementary.h"
 #include "math/transform.h"
 #include "trace/lighting/shadow_rays-inl.h"
-#include "world/geometry/primitives.h"
+#include "world/geometry/contains.h"
 
 namespace glint {
 namespace {
@@ -130,38 +130,13 @@ ShadowRays shadow_rays(const WorldParts& world, const VisibleHits& visible, cons
     return found;
 }
 
-std::vector<std::uint32_t> shapes_along(const WorldParts& world, Vec3 point, Vec3 direction) {
-    constexpr int k_max = 1000;
-    std::vector<std::uint32_t> shapes;
-    double t_min = 0;
-    for (int i = 0; i < k_max; ++i) {
-        RayList ray;
-        ray.add(point, direction, t_min);
-        const HitList hit = nearest_hits(world, ray, 1);
-        if (!hit.surface[0].exists()) break;
-        shapes.push_back(world.geometry->shape_of(hit.surface[0]));
-        t_min = hit.t[0];
-    }
-    return shapes;
-}
-
 std::vector<std::uint32_t> shapes_around(const CheckContext& context, Vec3 point) {
-    // A ray from inside a closed shape meets it an odd number of times, in any direction.
-    const Vec3 way{0.5773, 0.6211, 0.5301};
-    const auto around = [&](Vec3 direction) {
-        std::vector<std::uint32_t> met = shapes_along(context.world(), point, direction), odd;
-        std::sort(met.begin(), met.end());
-        for (auto at = met.begin(); at != met.end();) {
-            const auto next = std::upper_bound(at, met.end(), *at);
-            if ((next - at) % 2 != 0 && is_closed(context.scene(), *at)) odd.push_back(*at);
-            at = next;
-        }
-        return odd;
-    };
-    const std::vector<std::uint32_t> one = around(way), other = around(-way);
-    std::vector<std::uint32_t> both;
-    std::set_intersection(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(both));
-    return both;
+    const PackedGeometry& geometry = *context.world().geometry;
+    std::vector<std::uint32_t> around;
+    for (std::uint32_t slot = 0; slot < geometry.bounded; ++slot)
+        if (contains(geometry, slot, point)) around.push_back(geometry.shape_index[slot]);
+    std::sort(around.begin(), around.end());
+    return around;
 }
 
 }  // namespace glint

@@ -54,11 +54,7 @@ struct ShadowRays {
 ShadowRays shadow_rays(const WorldParts& world, const VisibleHits& visible, const Light& light,
                        std::size_t most);
 
-/// Every hit of a ray from `point` in one fixed direction, in order of distance, including repeated hits of a
-/// shape. At most a thousand.
-std::vector<std::uint32_t> shapes_along(const WorldParts& world, Vec3 point, Vec3 direction);
-
-/// The closed shapes that contain the point.
+/// The bounded shapes and solids that contain the point.
 std::vector<std::uint32_t> shapes_around(const CheckContext& context, Vec3 point);
 
 /// The approximate number of shapes tested per camera ray: those whose boxes it intersects before its hit.

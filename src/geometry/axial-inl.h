@@ -94,6 +94,14 @@ template <class F> struct AxialFilter {
     }
 };
 
+/// Whether a point is between the ends, and within the radius there; growth: of the radius, per unit.
+inline bool is_within_axial(const double* p, const Vector3<double>& point, double radius, double growth) {
+    const Vector3<double> q = point - vector3(p), axis = vector3(p + 3);
+    const double along = dot(q, axis), there = radius + growth * along;
+    const Vector3<double> across = q - axis * along;
+    return along > 0 && along < p[6] && dot(across, across) < there * there;
+}
+
 /// The normal of a point that is `along` the axis and `off` the side: that of a cap if there are caps and one
 /// is nearer.
 template <class T>

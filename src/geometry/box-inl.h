@@ -27,6 +27,11 @@ struct BoxGeometry : GeometryTraits {
     static bool is_open(const Box&) { return false; }
     static void bounds(const Box& c, Vec3& lo, Vec3& hi) { lo = c.min, hi = c.max; }
 
+    static bool contains(const double* p, const Vector3<double>& point) {
+        return p[0] < point.x && point.x < p[3] && p[1] < point.y && point.y < p[4] && p[2] < point.z &&
+               point.z < p[5];
+    }
+
     template <class T> static HWY_INLINE void crossings(const T* p, const Ray<T>& ray, Crossing<T>* to) {
         const auto [enter, exit] = interval(p, ray);
         *to = Crossing<T>(enter <= exit, enter, exit);

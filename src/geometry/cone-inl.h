@@ -30,6 +30,10 @@ struct ConeGeometry : GeometryTraits {
         axial_bounds(c.from, c.to, c.from_radius, c.to_radius, lo, hi);
     }
 
+    static bool contains(const double* p, const Vector3<double>& point) {
+        return is_within_axial(p, point, p[7], p[8]);
+    }
+
     /// Solves |across(t)|^2 = r(t)^2 with r(t) = r_0 + k along(t), relative to the ray's closest approach to
     /// the middle of the axis, so that distance does not reduce precision. The roots are q / a and c / q:
     /// a may be 0 (a ray parallel to the side).

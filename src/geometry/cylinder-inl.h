@@ -29,6 +29,10 @@ struct CylinderGeometry : GeometryTraits {
         axial_bounds(c.from, c.to, c.radius, c.radius, lo, hi);
     }
 
+    static bool contains(const double* p, const Vector3<double>& point) {
+        return is_within_axial(p, point, p[7], 0);
+    }
+
     template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         AxialRay<T> r(vector3(p + 3), p[6], ray.origin - vector3(p), ray.direction, T(0), t_min);
         // For a ray parallel to the axis, the division gives NaN or infinity, and no lateral hit.

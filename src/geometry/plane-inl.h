@@ -10,6 +10,7 @@
 #include "geometry/ray-inl.h"
 #include "geometry/traits.h"
 #include "glint/shapes.h"
+#include "math/aabb.h"
 #include "math/transform.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -35,7 +36,14 @@ struct PlaneGeometry : GeometryTraits {
                 transform_normal(object_from_world, plane.normal)};
     }
     static bool is_open(const Plane&) { return true; }
-    static void bounds(const Plane&, Vec3&, Vec3&) {}
+    static void bounds(const Plane&, Vec3& lo, Vec3& hi) {
+        hi = {k_endless, k_endless, k_endless};
+        lo = -hi;
+    }
+
+    static bool contains(const double* p, const Vector3<double>& point) {
+        return dot(point - vector3(p), vector3(p + 3)) < 0;
+    }
 
     template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         const Vector3<T> n = vector3(p + 3);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "geometry/quadric_bounds.h"
 #include "geometry/ray-inl.h"
 #include "geometry/traits.h"
 #include "glint/shapes.h"
@@ -52,7 +53,7 @@ struct QuadricGeometry : GeometryTraits {
                 r[3][3]};
     }
     static bool is_open(const Quadric&) { return false; }
-    static void bounds(const Quadric&, Vec3&, Vec3&) {}
+    static void bounds(const Quadric& quadric, Vec3& lo, Vec3& hi) { quadric_bounds(quadric, lo, hi); }
 
     /// The gradient of f.
     template <class T> static HWY_INLINE Vector3<T> gradient(const T* p, const Vector3<T>& q) {
@@ -62,6 +63,10 @@ struct QuadricGeometry : GeometryTraits {
     template <class T> static HWY_INLINE Vector3<T> gradient_of_squares(const T* p, const Vector3<T>& q) {
         return {T(2) * p[0] * q.x + p[3] * q.y + p[4] * q.z, T(2) * p[1] * q.y + p[3] * q.x + p[5] * q.z,
                 T(2) * p[2] * q.z + p[4] * q.x + p[5] * q.y};
+    }
+
+    static bool contains(const double* p, const Vector3<double>& point) {
+        return dot(gradient_of_squares(p, point), point) * 0.5 + dot(vector3(p + 6), point) + p[9] < 0;
     }
 
     /// Along the ray, f = a s^2 + 2 b s + c with s = t - start: relative to the point nearest to the origin

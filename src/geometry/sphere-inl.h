@@ -31,6 +31,11 @@ struct SphereGeometry : GeometryTraits {
         lo = s.center - r, hi = s.center + r;
     }
 
+    static bool contains(const double* p, const Vector3<double>& point) {
+        const Vector3<double> q = point - vector3(p);
+        return dot(q, q) < p[3] * p[3];
+    }
+
     template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         const auto roots = closest_approach(ray.origin - vector3(p), ray.direction, p[3]);
         const T near = roots.b - roots.h, far = roots.b + roots.h;

@@ -113,6 +113,14 @@ struct TorusGeometry : GeometryTraits {
         }
     }
 
+    /// Within one of the two tubes that the plane of the axis and the point has.
+    static bool contains(const double* p, const Vector3<double>& point) {
+        const Vector3<double> q = point - vector3(p), axis = vector3(p + 3);
+        const double along = dot(q, axis), from_axis = length(q - axis * along);
+        const auto is_within = [&](double across) { return across * across + along * along < p[7] * p[7]; };
+        return is_within(from_axis - p[6]) != is_within(from_axis + p[6]);
+    }
+
     /// The normal points away from the tube's center circle. Of a torus that intersects itself, the part of
     /// the surface around the center belongs to the far side of that circle, and its normal points to the
     /// center.

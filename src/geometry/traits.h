@@ -32,7 +32,7 @@ struct GeometryTraits {
     /// solid of one operand. It needs no hit().
     static constexpr bool k_only_operand = false;
     /// The greatest number of crossings of a line with its surface, if it encloses a space; see
-    /// geometry/crossings-inl.h. 0: it encloses none.
+    /// geometry/crossings-inl.h. 0: it encloses none. Otherwise it has contains(): whether a point is inside.
     static constexpr int k_crossings = 0;
     /// It has tests that are cheaper than its formula: quick_test() and ParallelTest.
     static constexpr bool k_quick = false;

@@ -41,6 +41,10 @@ template <class Geometry> struct Transformed : GeometryTraits {
     static constexpr int k_crossings = Geometry::k_crossings;
     static constexpr bool k_only_operand = Geometry::k_only_operand;
 
+    static bool contains(const double* p, const Vector3<double>& point) {
+        return Geometry::contains(p, AffineMap::affine(p + Geometry::k_values, point));
+    }
+
     template <class T> static HWY_INLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
         return Geometry::hit(p, AffineMap::to_object(p + Geometry::k_values, ray), t_min);
     }

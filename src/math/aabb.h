@@ -32,6 +32,16 @@ struct Aabb {
     }
 };
 
+/// The ends of the box of a shape without ends, as a half-space: beyond all coordinates.
+inline constexpr float k_endless = 4e12f;
+
+inline bool is_endless(const Aabb& box) {
+    for (int a = 0; a < 3; ++a) {
+        if (box.lo[a] <= -k_endless || box.hi[a] >= k_endless) return true;
+    }
+    return false;
+}
+
 /// The box in single precision of a box in double, with its padding.
 inline Aabb padded_box(Vec3 lo, Vec3 hi) {
     const double low[3] = {lo.x, lo.y, lo.z}, high[3] = {hi.x, hi.y, hi.z};

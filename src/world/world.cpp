@@ -24,13 +24,6 @@ WorldParts empty_parts() {
     return parts;
 }
 
-bool is_endless(const Aabb& box) {
-    for (int a = 0; a < 3; ++a) {
-        if (box.lo[a] <= -k_endless || box.hi[a] >= k_endless) return true;
-    }
-    return false;
-}
-
 template <class T> std::size_t bytes(const std::vector<T>& values) { return values.capacity() * sizeof(T); }
 
 }  // namespace

@@ -13,6 +13,10 @@ TEST(CheckCamera, InsideAShape) {
           "box \"case\" { min = (-1, 1, 7.9)  max = (1, 3, 9) }",
           "cylinder \"case\" { from = (0, 1, 8)  to = (0, 3, 8)  radius = 0.4 }",
           "cone \"case\" { from = (0, 1, 8)  to = (0, 3, 8)  radius = (1, 0) }",
+          "quadric \"case\" { squares = (1, 2, 1)  constant = -1  translate = (0, 2, 8.2) }",
+          "difference \"case\" { box { min = (-1, 1, 7.9)  max = (1, 3, 9) } sphere { center = (0, 3, 9)  "
+          "radius = "
+          "1 } }",
           "torus \"case\" { center = (2, 2, 8)  axis = (0, 1, 0)  radius = 2  tube = 0.4 }",
           "sphere \"case\" { center = (0, 0, 0)  radius = 1  scale = 0.5  translate = (0, 2, 8) }"}) {
         const std::vector<Finding> result = check_text(k_clean + shape);

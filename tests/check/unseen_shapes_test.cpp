@@ -235,6 +235,18 @@ sphere { center = (4.5, 0, 0)  radius = 0.65 }
               "shape-outside-view@5");
 }
 
+// An ellipsoid has a place; of a quadric without ends, it is not known.
+TEST(CheckShapes, QuadricsOutsideThePicture) {
+    const auto quadric = [](std::string_view squares, std::string_view at) {
+        return fmt::format("{}quadric {{ squares = {}  constant = -0.1  translate = {} }}\n", k_clean,
+                           squares, at);
+    };
+    EXPECT_EQ(ids_of("render { shadows = false }\n" + quadric("(1, 2, 3)", "(40, 0, 0)")),
+              "shape-outside-view@8");
+    EXPECT_EQ(ids_of(quadric("(1, 2, 3)", "(0, 2, 2)")), "");
+    EXPECT_EQ(ids_of("render { shadows = false }\n" + quadric("(1, 1, 0)", "(40, 0, 0)")), "");
+}
+
 TEST(CheckShapes, TheBodyOfALightMayBeOutside) {
     EXPECT_EQ(ids_of(R"(Begin_Scene
 Resolution 160 120

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // prism, lathe and sphere_sweep. The stage `peers` compares their pictures with POV-Ray's.
+#include <fmt/format.h>
+
 #include "formats/mistakes.h"
 #include "formats/povray_text.h"
 #include "math/number.h"
@@ -188,6 +190,21 @@ TEST(PovRaySweeps, DeclaredOnesAreCopied) {
                                      "#declare L = lathe { 2, <1, 0>, <1, 1> } lathe { L translate x }");
     EXPECT_EQ(scene.shapes.size(), 3u);
     EXPECT_EQ(scene.meshes.size(), 1u);
+}
+
+TEST(PovRaySweeps, ACameraInOneInFogIsWarnedOf) {
+    const auto said = [](std::string_view camera, std::string_view more) {
+        return messages(read_povray(fmt::format(
+            "camera {{ location {} look_at <0, 0, 9> }}\nfog {{ distance 5 color rgb 1 }}\n"
+            "prism {{ 0, 1, 5, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1> pigment {{ rgb 1 }} {} }}",
+            camera, more)));
+    };
+    EXPECT_NE(said("<0, 0.5, 0>", "").find("3:1: warning: the camera may be inside of this object"),
+              std::string::npos)
+        << said("<0, 0.5, 0>", "");
+    EXPECT_EQ(said("<0, 1.5, 0>", ""), "");
+    EXPECT_EQ(said("<0, 0.5, 0>", "hollow"), "");
+    EXPECT_NE(said("<0, 1.5, 0>", "translate y").find("the camera may be inside"), std::string::npos);
 }
 
 }  // namespace

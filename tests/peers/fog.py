@@ -72,6 +72,22 @@ def balls(more="texture { Clear }", other="texture { Amber }"):
     return BALL.format(x=-0.7, z=-1, more=more) + BALL.format(x=0.6, z=0, more=other)
 
 
+# Some contain the camera at their place, and some do not.
+INSIDES = [
+    ("ellipsoid", "quadric {{ <1, 2, 1>, <0.5, 0, 0>, 0, -9 translate {}"),
+    ("hyperboloid", "quadric {{ <1, 1, -1>, 0, 0, -4 translate {}"),
+    ("two_sheets", "quadric {{ <1, 1, -1>, 0, 0, 4 translate {}"),
+    ("torus", "torus {{ 2, 1.2 rotate 90*x translate <2, 0.3, 0> translate {}"),
+    ("shell", "difference {{ sphere {{ 0, 3 }} sphere {{ 0, 2.2 }} translate {}"),
+    ("bite", "difference {{ sphere {{ 0, 3 }} sphere {{ <1, 0, 0>, 0.9 }} translate {}"),
+    ("half", "intersection {{ sphere {{ <1, 0, 0>, 3 }} plane {{ y, 0.5 }} translate {}"),
+    ("merge", "merge {{ box {{ <-3, -2, -1>, <-0.2, 2, 1> }} cylinder {{ <-1, 0, 0>, <2, 0.3, 1>, 0.7 }} translate {}"),
+    ("union", "intersection {{ union {{ sphere {{ <1, 0, 0>, 1.5 }} sphere {{ <-1, 0, 0>, 1.5 }} }} box {{ -2, 2 }} translate {}"),
+    ("inverse", "intersection {{ box {{ -3, 3 }} cone {{ <0, -1, 0>, 1, <0, 2, 0>, 0 inverse }} translate {}"),
+    ("clipped", "sphere {{ 0, 3 clipped_by {{ plane {{ <0.3, 1, 0>, 0.5 }} }} translate {}"),
+    ("clipped_away", "sphere {{ 0, 3 clipped_by {{ plane {{ <0.3, 1, 0>, -0.5 }} }} translate {}"),
+]
+
 RULES = [
     pov_in_fog("pov_fog_sphere", BALL.format(x=0, z=0, more="texture { Clear }")),
     pov_in_fog("pov_fog_sphere_hollow", BALL.format(x=0, z=0, more="texture { Clear } hollow")),
@@ -99,6 +115,9 @@ RULES = [
     pov_in_fog("pov_fog_glass", BALL.format(x=0, z=0, more="pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { ior 1.4 }")),
     pov_in_fog("pov_fog_camera_inside", balls() + "sphere { <0, 3, -8>, 3 texture { Amber } }"),
     pov_in_fog("pov_fog_camera_in_two", balls() + "sphere { <0, 3, -8>, 3 texture { Amber } } box { <-3, 0, -9>, <3, 5.5, -3.5> texture { Clear } }"),
+    *(pov_in_fog(f"pov_fog_camera_in_{name}", balls() + f"{shape.format('<0, 3, -8>')} texture {{ Amber }} }}") for name, shape in INSIDES),
+    *(pov_orthographic_in_fog(f"pov_fog_orthographic_{name}", balls() + f"{shape.format('<0, 1.8, -7.5>')} texture {{ Amber }} }}")
+      for name, shape in INSIDES),
     pov_orthographic_in_fog("pov_fog_orthographic", balls() + "sphere { <0, 1.8, -7.5>, 0.9 texture { Amber } }"),
     pov_in_fog("pov_fog_sky", balls() + "sphere { 0, 60 texture { Glow } }"),
     pov_in_fog("pov_fog_sky_hollow", balls() + "sphere { 0, 60 texture { Glow } hollow }"),

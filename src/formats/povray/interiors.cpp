@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which shapes are one object, and which are hollow: fog is only outside of objects.
+#include <algorithm>
 #include <map>
 #include <tuple>
 
+#include "formats/povray/reach.h"
 #include "formats/povray/scene_builder.h"
+#include "math/aabb.h"
+#include "math/transform.h"
 
 namespace glint::povray {
 
@@ -33,9 +37,37 @@ void SceneBuilder::note_interior(std::size_t first, const Inherited& own) {
     interiors_.push_back({first, end, own.body, own.is_hollow});
 }
 
+// Warns of prisms and lathes around the camera: in POV-Ray they have an inside.
+void SceneBuilder::check_camera_in_fog() {
+    const Camera& camera = scene_.camera;
+    const bool is_flat = camera.frame && camera.projection == Projection::orthographic;
+    const double room = is_flat ? (length(camera.frame->right) + length(camera.frame->up)) / 2 : 0;
+    for (const ShapesWithInside& object : with_inside_) {
+        const auto is_beside = [&](Vec3 d) {
+            double most = -k_endless;
+            for (std::size_t i = object.first; i < object.end; ++i)
+                most = std::max(most, reach(scene_, scene_.shapes[i], d).value_or(k_endless));
+            return most <= dot(d, camera.position) - room;
+        };
+        const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+        if (is_beside(x) || is_beside(y) || is_beside(z) || is_beside(-x) || is_beside(-y) || is_beside(-z))
+            continue;
+        return stream_.warn_once("fog inside", object.at,
+                                 "the camera may be inside of this object, where POV-Ray has no fog: the "
+                                 "picture may differ");
+    }
+}
+
+void SceneBuilder::note_inside(const Object& object, const Inherited& own, std::size_t first) {
+    if ((object.stands_for == "prism" || object.stands_for == "lathe") && !own.is_hollow)
+        with_inside_.push_back({first, scene_.shapes.size(), object.at});
+}
+
 // Gives the shapes materials with their interiors, if the scene has fog.
 void SceneBuilder::use_interiors() {
-    if (!scene_.fog || interiors_.empty()) return;
+    if (!scene_.fog) return;
+    check_camera_in_fog();
+    if (interiors_.empty()) return;
     using Kind = std::tuple<std::uint32_t, std::int32_t, bool>;  // material, body, hollow
     CountedMap<Kind, std::uint32_t> materials;
     const std::size_t given = scene_.materials.size();

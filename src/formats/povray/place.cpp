@@ -112,17 +112,19 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
     switch (object.kind) {
         case ObjectKind::refused:
             return;
-        case ObjectKind::group:
-        case ObjectKind::solid:
-            return place_parts(object, own);
         case ObjectKind::light:
             return place_light(object, own);
         default:
             break;
     }
     const std::size_t first = scene_.shapes.size();
+    if (object.kind == ObjectKind::group || object.kind == ObjectKind::solid) {
+        place_parts(object, own);
+        return note_inside(object, own, first);
+    }
     if (object.kind == ObjectKind::mesh) {
         place_mesh(object, own);
+        note_inside(object, own, first);
     } else if (object.kind == ObjectKind::height_field) {
         place_field(object, own);
     } else {

@@ -112,6 +112,13 @@ class SceneBuilder {
     void inherit_interior(const Object& object, Inherited& own);
     void note_interior(std::size_t first, const Inherited& own);
     void use_interiors();
+    void note_inside(const Object& object, const Inherited& own, std::size_t first);
+    void check_camera_in_fog();
+    // A prism or lathe that is not hollow.
+    struct ShapesWithInside {
+        std::size_t first = 0, end = 0;
+        Token at;
+    };
 
     // parallel.cpp, glass.cpp, tiny.cpp, finish.cpp: of the whole scene
     struct ParallelLight {
@@ -164,6 +171,7 @@ class SceneBuilder {
     std::optional<Token> no_reflection_;  // the first object with it
     CountedVector<UncutShape> clips_;
     CountedVector<ShapeInteriors> interiors_;  // in the order of the shapes
+    CountedVector<ShapesWithInside> with_inside_;
     std::int32_t bodies_ = 0;
     CountedVector<std::uint32_t> glass_;  // shapes that refract
     Token glass_at_;                      // the last of them

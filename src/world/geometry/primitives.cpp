@@ -230,17 +230,14 @@ int Primitives::pack_mesh(const Shape& shape, double* values) const {
     return MeshGeometry::k_values;
 }
 
-// What contains the solid: its steps, applied to the operands' boxes. Half-spaces have none, and neither has
-// the outside of a shape.
+// What contains the solid: its steps, applied to the operands' boxes. The outside of a shape has no ends.
 Aabb Primitives::box_of_solid(const PrimitiveSolid& solid) const {
     const Aabb all{{-k_endless, -k_endless, -k_endless}, {k_endless, k_endless, k_endless}};
     std::vector<Aabb> boxes;
     std::uint32_t operand = solid.first;
     for (const SolidStep& step : solid.tree->steps) {
         if (step.operation == SolidOperation::operand) {
-            const Primitive primitive{.shape = solid.shape, .operand = operand++};
-            const bool is_bounded = class_traits()[static_cast<std::size_t>(class_of(primitive))].bounded;
-            boxes.push_back(is_bounded ? box_of(primitive) : all);
+            boxes.push_back(box_of({.shape = solid.shape, .operand = operand++}));
             continue;
         }
         const std::size_t first = boxes.size() - step.count;

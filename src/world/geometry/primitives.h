@@ -41,9 +41,6 @@ bool has_solids(const Scene& scene);
 /// Whether a shape of the scene has several elements.
 bool has_elements(const Scene& scene);
 
-/// The ends of the box of a solid without ends, as a half-space has: beyond all coordinates.
-inline constexpr float k_endless = 4e12f;
-
 /// Properties of a class.
 struct ClassTraits {
     int values = 0;          // number of values of a packed primitive
@@ -75,7 +72,7 @@ class Primitives {
 
     int class_of(const Primitive& primitive) const;
     std::span<const PrimitiveSolid> solids() const { return solids_; }
-    /// The padded box of a bounded primitive.
+    /// The padded box; of a shape without ends, from -k_endless to k_endless.
     Aabb box_of(const Primitive& primitive) const;
     /// Whether the primitive's shape encloses no space.
     bool is_open(const Primitive& primitive) const;

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "world/geometry/contains.h"
+
+#include <algorithm>
+
+#include "geometry/kinds-inl.h"
+#include "world/geometry/packed_values-inl.h"
+
+namespace glint {
+namespace {
+
+using namespace HWY_NAMESPACE;
+
+struct ShapeContains {
+    const ShapeClass& shapes;
+    std::uint32_t slot;
+    Vector3<double> point;
+    bool result = false;
+    template <class Geometry> void visit() {
+        if constexpr (Geometry::k_crossings > 0) {
+            double p[Geometry::k_values];
+            broadcast_values<Geometry::k_values>(shapes, slot, p);
+            result = Geometry::contains(p, point);
+        }
+    }
+};
+
+class SolidContains {
+  public:
+    SolidContains(const PackedGeometry& geometry, const PackedSolid& solid, Vec3 point)
+        : geometry_(geometry), solid_(solid), point_(point) {}
+
+    // Of the operand or combination that begins at the next item.
+    bool next() {
+        const SolidItem item = solid_.items[at_++];
+        if (item.kind == SolidItem::Kind::operand)
+            return contains(geometry_, solid_.slots[item.operand], point_);
+        const bool first = next();
+        bool any = false, all = true;
+        while (solid_.items[at_].kind != SolidItem::Kind::end) {
+            const bool part = next();
+            any = any || part;
+            all = all && part;
+        }
+        ++at_;
+        switch (item.operation) {
+            case SolidOperation::merge:
+            case SolidOperation::unite:
+                return first || any;
+            case SolidOperation::difference:
+                return first && !any;
+            case SolidOperation::inverse:
+                return !first;
+            case SolidOperation::clip:
+                return first;
+            default:  // intersection
+                return first && all;
+        }
+    }
+
+  private:
+    const PackedGeometry& geometry_;
+    const PackedSolid& solid_;
+    Vec3 point_;
+    std::size_t at_ = 0;
+};
+
+}  // namespace
+
+bool contains(const PackedGeometry& geometry, std::uint32_t slot, Vec3 point) {
+    const ShapeClass& shapes = geometry.class_of(slot);
+    if (shapes.kind == ShapeKind::solid) {
+        const auto solid = static_cast<std::size_t>(shapes.value(0, slot));
+        return SolidContains(geometry, geometry.solids[solid], point).next();
+    }
+    if (geometry.is_open(geometry.surface_of(slot)) && shapes.kind != ShapeKind::plane) return false;
+    ShapeContains test{shapes, slot, {point.x, point.y, point.z}};
+    visit_geometry(shapes.kind, shapes.transformed, test);
+    return test.result;
+}
+
+}  // namespace glint
