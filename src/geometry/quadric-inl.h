@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "geometry/quadric_bounds.h"
+#include "math/quadric_bounds.h"
 #include "geometry/ray-inl.h"
 #include "geometry/traits.h"
 #include "glint/shapes.h"

@@ -56,6 +56,11 @@ TEST(PovRayMissing, ParallelLightsBelowAPolygon) {
                   .find("`parallel`"),
               std::string::npos);
     EXPECT_EQ(said(light + "sphere { 0, 1 } polygon { 4, <0, 2, 0>, <1, 2, 0>, <1, 2, 1>, <0, 2, 1> }"), "");
+    const std::string ellipsoid = "sphere { 0, 1 } quadric { <1, 2, 1>, 0, 0, -1 translate y*";
+    EXPECT_NE(said(light + ellipsoid + "4 }").find("`parallel`"), std::string::npos);
+    EXPECT_EQ(said(light + ellipsoid + "2 }"), "");
+    EXPECT_NE(said(light + "sphere { 0, 1 } quadric { <1, 0, 1>, 0, 0, -1 }").find("`parallel`"),
+              std::string::npos);
 }
 
 TEST(PovRayMissing, ClearSolidsRefract) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The boxes of ellipsoids, beside those of spheres that are mapped.
-#include "geometry/quadric_bounds.h"
+#include "math/quadric_bounds.h"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "math/quadric_bounds.h"
 #include "math/transform.h"
 
 namespace glint::povray {
@@ -73,6 +74,12 @@ std::optional<double> own_reach(const Scene& scene, const Shape& shape, Vec3 d) 
                 most = std::max(most, *far);
             }
             return most;
+        }
+        case ShapeKind::quadric: {
+            Vec3 lo, hi;
+            quadric_bounds(scene.get<Quadric>()[shape.index], lo, hi);
+            return std::max(d.x * lo.x, d.x * hi.x) + std::max(d.y * lo.y, d.y * hi.y) +
+                   std::max(d.z * lo.z, d.z * hi.z);
         }
         default:
             return std::nullopt;
