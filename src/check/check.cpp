@@ -46,6 +46,8 @@ constexpr CheckKind k_kinds[] = {
     {"shape-without-area", "the corners of a shape are on one line"},
     {"shape-too-flat", "a cylinder or cone is so short that its side is not visible"},
     {"shape-looks-like-background", "a shape has the color of the background behind it"},
+    {"solid-empty", "a combination of shapes leaves nothing"},
+    {"operand-cuts-nothing", "a shape that should cut something off a solid does not"},
     {"faces-coincide", "faces of two shapes with different materials coincide, and are visible"},
     {"seen-from-behind", "flat surfaces are seen from behind, and the conventions do not turn their normals"},
     {"normals-against-winding", "vertex normals point against the triangle's winding"},
@@ -120,6 +122,7 @@ Result<std::vector<Finding>> run_checks(const Scene& scene, const World& world, 
     run_if_seen([&] {
         std::vector<bool> explained = check_coincident_shapes(context);
         check_flat_shapes(context, *visible, explained);
+        check_solids(context, *visible, explained);
         check_shapes(context, *visible, explained);
     });
     run_if_seen([&] { check_normals(context, *visible); });

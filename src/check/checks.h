@@ -30,6 +30,8 @@ std::vector<bool> check_coincident_shapes(CheckContext& context);
 void check_flat_shapes(CheckContext& context, const VisibleHits& visible, std::vector<bool>& explained);
 /// Shapes that no ray hits, except those whose reason is reported already.
 void check_shapes(CheckContext& context, const VisibleHits& visible, const std::vector<bool>& explained);
+/// Solids that are empty, which are marked in `explained`, and operands that cut nothing.
+void check_solids(CheckContext& context, const VisibleHits& visible, std::vector<bool>& explained);
 /// Surfaces whose back faces the viewer, and vertex normals on the wrong side of their triangle.
 void check_normals(CheckContext& context, const VisibleHits& visible);
 /// Triangles of meshes that contradict their neighbours, their normals, or each other.

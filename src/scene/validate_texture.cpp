@@ -30,6 +30,8 @@ std::string mistake_in(const std::vector<TextureColor>& colors) {
 }
 
 std::string mistake_in(const Texture& texture) {
+    if (texture.mapping == TextureMapping::uv && !(texture.turbulence == Vec3{}))
+        return "turbulence: expected a mapping other than uv, found uv";
     if (!texture.color_map.empty())
         return texture.image ? "expected an image or a color_map, found both" : mistake_in(texture.color_map);
     if (!texture.image) return "expected an image or a color_map, found neither";

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+// Solids that are empty, and operands that cut nothing.
+#include <fmt/format.h>
+
+#include <optional>
+#include <set>
+
+#include "check/checks.h"
+#include "math/aabb.h"
+#include "math/extent.h"
+#include "math/sample_hash.h"
+#include "scene/solid_steps.h"
+#include "world/geometry/contains.h"
+
+namespace glint {
+namespace {
+
+constexpr std::uint32_t k_points = 20000;
+constexpr std::uint64_t k_most_tests = 30'000'000;  // of a point and an operand: a second
+constexpr std::uint32_t k_seed = 0x50a1d;
+
+// Point i of those that fill a box evenly: its middle, those of its sides, then hashed ones.
+Vec3 point_in(const Bounds& box, std::uint32_t i) {
+    const Vec3 size = box.max - box.min;
+    if (i < 7) {
+        Vec3 at{0.5, 0.5, 0.5};
+        const double end = i % 2 == 0 ? 0.001 : 0.999;
+        if (i > 0) (i < 3 ? at.x : i < 5 ? at.y : at.z) = end;
+        return box.min + Vec3{at.x * size.x, at.y * size.y, at.z * size.z};
+    }
+    const auto part = [&](std::uint32_t axis) { return unit_number(ray_hash(k_seed, i, axis, 0, 0)); };
+    return box.min + Vec3{part(0) * size.x, part(1) * size.y, part(2) * size.z};
+}
+
+class ExaminedSolid {
+  public:
+    ExaminedSolid(const CheckContext& context, std::uint32_t slot)
+        : geometry_(*context.world().geometry),
+          tree_(tree_of(context, slot)),
+          steps_(tree_),
+          packed_(geometry_.solids[static_cast<std::size_t>(geometry_.class_of(slot).value(0, slot))]),
+          inside_(tree_.operands.size()),
+          neutral_(tree_.operands.size()) {
+        for (std::size_t step = 0; step < tree_.steps.size(); ++step) parts_.push_back(steps_.parts(step));
+        find_neutral(steps_.root());
+        for (std::size_t operand = 0; operand < packed_.slots.size(); ++operand) {
+            if (const auto box = box_of(operand)) all_.add(box->min), all_.add(box->max);
+        }
+    }
+
+    /// Nothing if it has no bounded operand.
+    bool is_bounded() const { return all_.lo.x <= all_.hi.x; }
+
+    bool is_empty() {
+        for (std::uint32_t operand = 0; operand <= inside_.size(); ++operand) {
+            const auto box = operand < inside_.size() ? box_of(operand) : std::nullopt;
+            for (std::uint32_t i = 0; i < k_points; ++i) {
+                look_at(point_in(box ? *box : all(), i));
+                if (holds(steps_.root())) return false;
+            }
+        }
+        return true;
+    }
+
+    /// Whether it can be left out of a difference, intersection or clip without a change at any point that
+    /// is tried.
+    bool cuts_nothing(std::uint32_t operand) {
+        if (!neutral_[operand]) return false;
+        const bool neutral = *neutral_[operand];
+        const auto own = box_of(operand);
+        // A point where it has an effect is inside of what is taken away, and outside of what is kept.
+        const Bounds box = own && !neutral ? *own : all();
+        for (std::uint32_t i = 0; i < k_points; ++i) {
+            look_at(point_in(box, i));
+            if (inside_[operand] == neutral) continue;
+            const bool with = holds(steps_.root());
+            inside_[operand] = neutral;
+            if (holds(steps_.root()) != with) return false;
+        }
+        return true;
+    }
+
+    std::uint32_t slot_of(std::uint32_t operand) const { return packed_.slots[operand]; }
+    const SolidTree& tree() const { return tree_; }
+
+  private:
+    static const SolidTree& tree_of(const CheckContext& context, std::uint32_t slot) {
+        const Scene& scene = context.scene();
+        const Shape& shape = scene.shapes[context.world().geometry->shape_index[slot]];
+        return scene.solids[scene.get<Solid>()[shape.index].solid];
+    }
+    std::optional<Bounds> box_of(std::size_t operand) const {
+        const auto& lo = packed_.lo;
+        const auto& hi = packed_.hi;
+        if (!(hi[0][operand] < k_endless)) return std::nullopt;
+        return Bounds{{lo[0][operand], lo[1][operand], lo[2][operand]},
+                      {hi[0][operand], hi[1][operand], hi[2][operand]}};
+    }
+    // The box of all operands with as much room beside it, for those that keep all of it.
+    Bounds all() const {
+        const Vec3 room = (all_.hi - all_.lo) * 0.5;
+        return {all_.lo - room, all_.hi + room};
+    }
+
+    // What an operand is as if it were not there.
+    void find_neutral(std::size_t step) {
+        const std::vector<std::size_t>& parts = parts_[step];
+        for (const std::size_t part : parts) {
+            if (!steps_.is_operand(part)) {
+                find_neutral(part);
+                continue;
+            }
+            const SolidOperation operation = steps_.operation(step);
+            const bool is_first = part == parts.front();
+            std::optional<bool>& neutral = neutral_[steps_.operand(part)];
+            if (operation == SolidOperation::intersection && parts.size() > 1) neutral = true;
+            if (operation == SolidOperation::clip && !is_first) neutral = true;
+            if (operation == SolidOperation::difference && !is_first) neutral = false;
+        }
+    }
+    void look_at(Vec3 point) {
+        for (std::size_t i = 0; i < inside_.size(); ++i)
+            inside_[i] = contains(geometry_, packed_.slots[i], point);
+    }
+    bool holds(std::size_t step) const {
+        const SolidOperation operation = steps_.operation(step);
+        if (steps_.is_operand(step)) return inside_[steps_.operand(step)];
+        const std::vector<std::size_t>& parts = parts_[step];
+        const bool first = holds(parts.front());
+        if (operation == SolidOperation::inverse) return !first;
+        const bool is_any = operation == SolidOperation::merge || operation == SolidOperation::unite,
+                   is_difference = operation == SolidOperation::difference;
+        for (std::size_t i = 1; i < parts.size(); ++i) {
+            if (holds(parts[i]) == (is_any || is_difference)) return is_any;
+        }
+        return first;
+    }
+
+    const PackedGeometry& geometry_;
+    const SolidTree& tree_;
+    const SolidSteps steps_;
+    const PackedSolid& packed_;
+    std::vector<std::vector<std::size_t>> parts_;  // by step
+    std::vector<bool> inside_;                     // by operand
+    std::vector<std::optional<bool>> neutral_;     // by operand
+    Extent all_;
+};
+
+// Whether it is empty.
+bool check_solid(CheckContext& context, std::uint32_t slot, const std::set<std::uint32_t>& hit) {
+    const std::uint32_t shape = context.world().geometry->shape_index[slot];
+    ExaminedSolid solid(context, slot);
+    if (!solid.is_bounded()) return false;
+    const std::vector<Shape>& operands = solid.tree().operands;
+    bool is_hit = false;
+    for (std::uint32_t i = 0; i < operands.size(); ++i) is_hit = is_hit || hit.contains(solid.slot_of(i));
+    if (!is_hit && solid.is_empty()) {
+        context.report("solid-empty", context.at_shape(shape),
+                       fmt::format("{} is empty: of {} points in its box and in those of its shapes, none is "
+                                   "inside",
+                                   context.shape(shape), k_points),
+                       "correct the places of its shapes, or the operation");
+        return true;
+    }
+    for (std::uint32_t i = 0; i < operands.size(); ++i) {
+        if (hit.contains(solid.slot_of(i)) || !solid.cuts_nothing(i)) continue;
+        context.report(
+            "operand-cuts-nothing", context.at_shape(shape),
+            fmt::format(
+                "shape {} of {}, a {}, cuts nothing off: without it, none of {} points changes its side",
+                i + 1, context.shape(shape), to_string(operands[i].kind), k_points),
+            "move or enlarge it, or remove it");
+    }
+    return false;
+}
+
+}  // namespace
+
+void check_solids(CheckContext& context, const VisibleHits& visible, std::vector<bool>& explained) {
+    const PackedGeometry& geometry = *context.world().geometry;
+    if (context.scene().solids.empty()) return;
+    std::set<std::uint32_t> hit;
+    for (const std::vector<SurfaceHit>& hits : visible.generations)
+        for (const SurfaceHit& h : hits) hit.insert(h.surface.slot);
+    std::uint64_t tests = 0;
+    for (std::uint32_t slot = 0; slot < geometry.bounded; ++slot) {
+        if (geometry.class_of(slot).kind != ShapeKind::solid) continue;
+        const std::uint32_t shape = geometry.shape_index[slot];
+        const std::uint64_t count = operands_of(context.scene(), context.scene().shapes[shape]).size();
+        const std::uint64_t own = (count + 1) * count * k_points;
+        if (count == 0 || tests + own > k_most_tests) continue;
+        tests += own;
+        if (check_solid(context, slot, hit)) explained[shape] = true;
+    }
+}
+
+}  // namespace glint
