@@ -146,6 +146,7 @@ void write_schema(Files& files) {
     put("shadow_sample_terms", schema_of(k_shadow_sample_terms));
     put("texture_terms", schema_of(k_texture_terms));
     put("hole_terms", schema_of(k_hole_terms));
+    put("crossing_terms", schema_of(k_crossing_terms));
     put("occlusion_terms", schema_of(k_occlusion_terms));
     files.put("docs/explain.schema.json", schema);
 }
@@ -158,7 +159,8 @@ void write_types(Files& files) {
             interface_of("HitTerms", k_hit_terms) + "\n" + interface_of("LightTermValues", k_light_terms) +
             "\n" + interface_of("ShadowSampleTerms", k_shadow_sample_terms) + "\n" +
             interface_of("TextureTerms", k_texture_terms) + "\n" + interface_of("HoleTerms", k_hole_terms) +
-            "\n" + interface_of("OcclusionTerms", k_occlusion_terms));
+            "\n" + interface_of("CrossingTerms", k_crossing_terms) + "\n" +
+            interface_of("OcclusionTerms", k_occlusion_terms));
     files.put("src/wasm/glint.d.mts", types);
 }
 
@@ -169,6 +171,7 @@ void write_document(Files& files) {
                        rows_of("hit", k_hit_terms) + rows_of("light", k_light_terms) +
                        rows_of("sample of an area light", k_shadow_sample_terms) +
                        rows_of("texture", k_texture_terms) + rows_of("hole", k_hole_terms) +
+                       rows_of("crossing of a solid's shape", k_crossing_terms) +
                        rows_of("occlusion", k_occlusion_terms) + "\n");
     files.put("docs/explain.md", document);
 }

@@ -138,6 +138,17 @@ struct ExplainedHole {
 /// The holes of a ray that are listed.
 inline constexpr std::size_t k_max_explained_holes = 16;
 
+/// Where the line of a ray crosses a shape of the solid that it hits.
+struct ExplainedCrossing {
+    int operand = 0;       ///< the number of the solid's shape, from 0
+    double t = 0;          ///< of the ray
+    bool enters = false;   ///< the shape begins there; otherwise it ends
+    bool surface = false;  ///< the solid has a surface there
+    bool hit = false;      ///< it is the surface that the ray hits
+};
+/// The crossings of a hit that are listed.
+inline constexpr std::size_t k_max_explained_crossings = 64;
+
 struct ExplainedHit {
     std::uint32_t shape = k_none;     ///< in Scene::shapes
     std::uint32_t material = k_none;  ///< in Scene::materials; k_none: the default material
@@ -171,6 +182,10 @@ struct ExplainedHit {
     /// Of a mesh: the weights of the triangle's corners at P (its barycentric coordinates), by which normals
     /// and colors are interpolated; and P in the mesh's coordinates.
     Vec3 corner_weights, mesh_point;
+    /// Of a solid: the crossings of the ray's line with all of its shapes, by t, before and behind the hit.
+    /// Those within 1e-9 of each other (relative to the coordinates) are one event, at which a surface is
+    /// that of one shape. Empty if there are more than k_max_explained_crossings.
+    std::vector<ExplainedCrossing> crossings;
     std::optional<ExplainedOcclusion> occlusion;  ///< if the scene has occlusion, in a lit shading mode
 
     /// What the surface adds to the pixel: the parts, then that of the occlusion.

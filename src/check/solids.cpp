@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <optional>
-#include <set>
 
 #include "check/checks.h"
 #include "math/aabb.h"
@@ -40,7 +39,7 @@ class ExaminedSolid {
           steps_(tree_),
           packed_(geometry_.solids[static_cast<std::size_t>(geometry_.class_of(slot).value(0, slot))]),
           inside_(tree_.operands.size()),
-          neutral_(tree_.operands.size()) {
+          neutral_(tree_.operands.size(), k_needed) {
         for (std::size_t step = 0; step < tree_.steps.size(); ++step) parts_.push_back(steps_.parts(step));
         find_neutral(steps_.root());
         for (std::size_t operand = 0; operand < packed_.slots.size(); ++operand) {
@@ -65,8 +64,8 @@ class ExaminedSolid {
     /// Whether it can be left out of a difference, intersection or clip without a change at any point that
     /// is tried.
     bool cuts_nothing(std::uint32_t operand) {
-        if (!neutral_[operand]) return false;
-        const bool neutral = *neutral_[operand];
+        if (neutral_[operand] == k_needed) return false;
+        const bool neutral = neutral_[operand] != 0;
         const auto own = box_of(operand);
         // A point where it has an effect is inside of what is taken away, and outside of what is kept.
         const Bounds box = own && !neutral ? *own : all();
@@ -84,6 +83,8 @@ class ExaminedSolid {
     const SolidTree& tree() const { return tree_; }
 
   private:
+    static constexpr std::int8_t k_needed = -1;
+
     static const SolidTree& tree_of(const CheckContext& context, std::uint32_t slot) {
         const Scene& scene = context.scene();
         const Shape& shape = scene.shapes[context.world().geometry->shape_index[slot]];
@@ -112,10 +113,10 @@ class ExaminedSolid {
             }
             const SolidOperation operation = steps_.operation(step);
             const bool is_first = part == parts.front();
-            std::optional<bool>& neutral = neutral_[steps_.operand(part)];
-            if (operation == SolidOperation::intersection && parts.size() > 1) neutral = true;
-            if (operation == SolidOperation::clip && !is_first) neutral = true;
-            if (operation == SolidOperation::difference && !is_first) neutral = false;
+            std::int8_t& neutral = neutral_[steps_.operand(part)];
+            if (operation == SolidOperation::intersection && parts.size() > 1) neutral = 1;
+            if (operation == SolidOperation::clip && !is_first) neutral = 1;
+            if (operation == SolidOperation::difference && !is_first) neutral = 0;
         }
     }
     void look_at(Vec3 point) {
@@ -142,18 +143,18 @@ class ExaminedSolid {
     const PackedSolid& packed_;
     std::vector<std::vector<std::size_t>> parts_;  // by step
     std::vector<bool> inside_;                     // by operand
-    std::vector<std::optional<bool>> neutral_;     // by operand
+    std::vector<std::int8_t> neutral_;  // by operand: 0 or 1, or k_needed
     Extent all_;
 };
 
 // Whether it is empty.
-bool check_solid(CheckContext& context, std::uint32_t slot, const std::set<std::uint32_t>& hit) {
+bool check_solid(CheckContext& context, std::uint32_t slot, const std::vector<bool>& hit) {
     const std::uint32_t shape = context.world().geometry->shape_index[slot];
     ExaminedSolid solid(context, slot);
     if (!solid.is_bounded()) return false;
     const std::vector<Shape>& operands = solid.tree().operands;
     bool is_hit = false;
-    for (std::uint32_t i = 0; i < operands.size(); ++i) is_hit = is_hit || hit.contains(solid.slot_of(i));
+    for (std::uint32_t i = 0; i < operands.size(); ++i) is_hit = is_hit || hit[solid.slot_of(i)];
     if (!is_hit && solid.is_empty()) {
         context.report("solid-empty", context.at_shape(shape),
                        fmt::format("{} is empty: of {} points in its box and in those of its shapes, none is "
@@ -163,7 +164,7 @@ bool check_solid(CheckContext& context, std::uint32_t slot, const std::set<std::
         return true;
     }
     for (std::uint32_t i = 0; i < operands.size(); ++i) {
-        if (hit.contains(solid.slot_of(i)) || !solid.cuts_nothing(i)) continue;
+        if (hit[solid.slot_of(i)] || !solid.cuts_nothing(i)) continue;
         context.report(
             "operand-cuts-nothing", context.at_shape(shape),
             fmt::format(
@@ -179,9 +180,9 @@ bool check_solid(CheckContext& context, std::uint32_t slot, const std::set<std::
 void check_solids(CheckContext& context, const VisibleHits& visible, std::vector<bool>& explained) {
     const PackedGeometry& geometry = *context.world().geometry;
     if (context.scene().solids.empty()) return;
-    std::set<std::uint32_t> hit;
+    std::vector<bool> hit(geometry.count);  // by slot
     for (const std::vector<SurfaceHit>& hits : visible.generations)
-        for (const SurfaceHit& h : hits) hit.insert(h.surface.slot);
+        for (const SurfaceHit& h : hits) hit[h.surface.slot] = true;
     std::uint64_t tests = 0;
     for (std::uint32_t slot = 0; slot < geometry.bounded; ++slot) {
         if (geometry.class_of(slot).kind != ShapeKind::solid) continue;

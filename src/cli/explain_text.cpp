@@ -111,6 +111,18 @@ class Tree {
     }
 
   private:
+    // Of the line of a ray with the shapes of a solid.
+    void add_crossings(const ExplainedHit& hit, int depth) {
+        const auto operands = operands_of(scene_, scene_.shapes[hit.shape]);
+        for (const ExplainedCrossing& c : hit.crossings) {
+            const auto operand = static_cast<std::size_t>(c.operand);
+            text_.line(depth,
+                       fmt::format("t = {}: {} {}, a {}{}{}", number(c.t), c.enters ? "into" : "out of",
+                                   operand + 1, to_string(operands[operand].kind),
+                                   c.surface ? ": a surface of the solid" : "", c.hit ? ", the hit" : ""));
+        }
+    }
+
     void add_hit(const ExplainedRay& r, int depth) {
         const ExplainedHit& hit = *r.hit;
         text_.line(depth, fmt::format("hits {} at t = {}, from its {}{}", shape_text(scene_, hit.shape),
@@ -129,6 +141,7 @@ class Tree {
         if (hit.element < operands.size())
             text_.line(depth + 1, fmt::format("the surface of its operand {} of {}, a {}", hit.element + 1,
                                               operands.size(), to_string(operands[hit.element].kind)));
+        add_crossings(hit, depth + 2);
         if (hit.texture) text_.line(depth + 1, texture_text(scene_, *hit.texture));
         text_.line(depth + 1, material_text(scene_, hit));
         const Shading shading = scene_.settings.shading;

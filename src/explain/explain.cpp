@@ -9,6 +9,7 @@
 #include "base/status.h"
 #include "explain/holes.h"
 #include "explain/references.h"
+#include "explain/solid_crossings.h"
 #include "lighting/light.h"
 #include "math/transform.h"
 #include "trace/kernels.h"
@@ -139,6 +140,7 @@ Result<Explanation> explain(const Scene& scene, const World& explained, std::int
         if (!status.ok()) return status;
         complete(scene, world, e);
         find_holes(world, e);
+        find_solid_crossings(world, *kernels, e);
         return e;
     });
 }

@@ -195,6 +195,8 @@ Json hit_json(const Scene& scene, const ExplainedHit& hit) {
     json["reflected"] = secondary_ray_json(hit.reflected);
     json["transmitted"] = secondary_ray_json(hit.transmitted);
     if (hit.texture) json["texture"] = texture_json(scene, *hit.texture);
+    for (const ExplainedCrossing& crossing : hit.crossings)
+        add_terms(json["crossings"].emplace_back(Json::object()), k_crossing_terms, crossing, {scene});
     if (hit.occlusion) json["occlusion"] = occlusion_json(scene, *hit.occlusion);
     return json;
 }

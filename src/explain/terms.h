@@ -132,6 +132,13 @@ inline constexpr ExplainedTerm<ExplainedTexture> k_texture_terms[] = {
     {"alpha", &ExplainedTexture::alpha, "their alpha, mixed; 1 without one"},
 };
 
+inline constexpr ExplainedTerm<ExplainedCrossing> k_crossing_terms[] = {
+    {"operand", &ExplainedCrossing::operand, "the number of the solid's shape, from 0"},
+    {"t", &ExplainedCrossing::t, "of the ray"},
+    {"enters", &ExplainedCrossing::enters, "the shape begins there; otherwise it ends"},
+    {"surface", &ExplainedCrossing::surface, "the solid has a surface there"},
+    {"hit", &ExplainedCrossing::hit, "it is the surface that the ray hits"},
+};
 inline constexpr ExplainedTerm<ExplainedHole> k_hole_terms[] = {
     {"t", &ExplainedHole::t, "of the ray"},
     {"back", &ExplainedHole::back,

@@ -14,7 +14,7 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 Kernels kernels(const char* isa) {
-    return {isa, &nearest_hit, &any_hit, &render_tile, &make_pixel_rays, &follow_pixels};
+    return {isa, &nearest_hit, &any_hit, &render_tile, &make_pixel_rays, &operand_intervals, &follow_pixels};
 }
 
 }  // namespace HWY_NAMESPACE

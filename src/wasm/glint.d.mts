@@ -277,6 +277,8 @@ export interface ExplainedHit extends HitTerms {
     transmitted: ExplainedSecondaryRay;
     /** If the material has a texture that shows something at the point. */
     texture?: ExplainedTexture;
+    /** Of a solid: the crossings of the ray's line with all of its shapes, by t. */
+    crossings?: CrossingTerms[];
     /** If the scene has occlusion: the light from all directions. */
     occlusion?: OcclusionTerms & {color: Vec3; direct: number; occluders: {shape: NamedItem; samples: number; weight: number}[]};
 }
@@ -504,6 +506,19 @@ export interface HoleTerms {
     back?: boolean;
     /** `alpha_cutoff` of the texture: its alpha is below it */
     cutoff?: number;
+}
+
+export interface CrossingTerms {
+    /** the number of the solid's shape, from 0 */
+    operand: number;
+    /** of the ray */
+    t: number;
+    /** the shape begins there; otherwise it ends */
+    enters: boolean;
+    /** the solid has a surface there */
+    surface: boolean;
+    /** it is the surface that the ray hits */
+    hit: boolean;
 }
 
 export interface OcclusionTerms {

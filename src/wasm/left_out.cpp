@@ -12,6 +12,7 @@
 #include "formats/mesh_file.h"
 #include "formats/povray/standard_includes.h"
 #include "formats/registry.h"
+#include "explain/solid_crossings.h"
 #include "glint/check.h"
 #include "glint/compare.h"
 #include "glint/diagnose.h"
@@ -52,6 +53,8 @@ PackedSolid pack_solid(const Primitives&, const PrimitiveSolid&, std::span<const
 }
 void HWY_NAMESPACE::ShapeTests::solids_leaf(const ShapeClass&, const RayPacket&, std::uint64_t, std::uint32_t,
                                             std::uint32_t) {}
+int HWY_NAMESPACE::operand_intervals(const PackedGeometry&, std::uint32_t, Vec3, Vec3, double*) { return 0; }
+void find_solid_crossings(const WorldParts&, const Kernels&, Explanation&) {}
 
 // No world has a fault here: only compare and diagnose make them.
 void HWY_NAMESPACE::put_faulty_hits(const WorldParts&, const RayBatch&, HitBatch&) {}

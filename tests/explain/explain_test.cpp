@@ -98,6 +98,52 @@ void check_pixel(const Scene& scene, const World& world, const Image& picture, i
     }
 }
 
+// The surface that is hit is one of the crossings, at the same t, and the first surface of the ray.
+TEST(Explain, CrossingsOfSolids) {
+    int hits = 0, crossings = 0;
+    for (const bool is_clear : {false, true}) {
+        auto scene = test::load_file(GLINT_PROJECT_DIR "/scenes/glint/solids.glint");
+        ASSERT_TRUE(scene);
+        // Rays go on from within.
+        for (Material& material : scene->materials)
+            if (is_clear && material.transmission == 0 && material.filter == 0) material.transmit = 0.5;
+        scene->settings.width = 61;
+        scene->settings.height = 47;
+        const Result<World> prepared = prepare(*scene);
+        ASSERT_TRUE(prepared) << to_string(prepared);
+        const World& world = *prepared;
+        for (int i = 0; i < 61 * 47; i += 3) {
+            for (const ExplainedRay& ray : explain(*scene, world, i % 61, i / 61).value().rays) {
+                if (!ray.hit) continue;
+                if (scene->shapes[ray.hit->shape].kind != ShapeKind::solid) {
+                    EXPECT_TRUE(ray.hit->crossings.empty());
+                    continue;
+                }
+                ++hits;
+                bool is_found = false;
+                double last = -std::numeric_limits<double>::infinity();
+                for (const ExplainedCrossing& c : ray.hit->crossings) {
+                    ++crossings;
+                    EXPECT_GE(c.t, last);
+                    last = c.t;
+                    if (c.hit) {
+                        EXPECT_FALSE(is_found);
+                        EXPECT_TRUE(c.surface);
+                        EXPECT_NEAR(c.t, ray.t, 1e-6 * (1 + ray.t));
+                        EXPECT_EQ(c.operand, static_cast<int>(ray.hit->element));
+                        is_found = true;
+                    } else if (c.surface && !is_found) {
+                        EXPECT_LE(c.t, ray.t_min);
+                    }
+                }
+                EXPECT_TRUE(is_found) << i;
+            }
+        }
+    }
+    EXPECT_GT(hits, 300);
+    EXPECT_GT(crossings, 2 * hits);
+}
+
 TEST(Explain, TenThousandPixelsEqualThePicture) {
     std::mt19937 random(5);
     int pixels = 0, blocked = 0;

@@ -165,6 +165,18 @@ function Holes({ray}: {ray: ExplainedRay}) {
     );
 }
 
+/** The crossings of a ray's line with the shapes of the solid that it hits. */
+function Crossings({hit}: {hit: ExplainedHit}) {
+    return (
+        <>
+            {(hit.crossings ?? []).map(({operand, t, enters, surface, hit: isHit}, i) => (
+                <Term key={i} name={enters ? 'into' : 'out of'} place={hit.shape} value={`shape ${operand + 1}`}
+                    formula={`t = ${short(t)}${surface ? ', a surface of the solid' : ''}${isHit ? ': the hit' : ''}`} />
+            ))}
+        </>
+    );
+}
+
 function Ray({explanation, number, depth}: {explanation: Explanation; number: number; depth: number}) {
     const ray = explanation.rays[number]!;
     const {hit} = ray;
@@ -189,6 +201,7 @@ function Ray({explanation, number, depth}: {explanation: Explanation; number: nu
                     <Term name="object" place={hit.shape} formula={`t = ${short(ray.t)}`} value={itemName(hit.shape)} />
                     <Term name="P" place={hit.shape} value={shortVector(hit.point)} />
                     <Term name="N" place={hit.shape} formula={`${hit.side} side${hit.normal_turned ? ', turned' : ''}`} value={shortVector(hit.normal)} />
+                    <Crossings hit={hit} />
                     {hit.texture && <Term name="texture" place={hit.material} formula={textureText(hit.texture)} value={shortColor(hit.texture.color)} />}
                     <Term name="weight" place={ray.parent === null ? null : explanation.rays[ray.parent]!.hit?.material} formula={absorbed ? 'of this ray in the pixel, after glass and fog' : 'of this ray in the pixel'} value={shortColor(hit.weight)} />
                     {hit.opacity !== undefined && <Term name="opacity" place={hit.material} formula="the rest is what is behind" value={short(hit.opacity)} />}
