@@ -124,6 +124,12 @@ struct ExplainedTexture {
     double next_column_weight = 0, next_row_weight = 0;  ///< the first ones have 1 minus these
     Color color;                                         ///< decoded and mixed
     double alpha = 1;
+    bool is_layer = false;  ///< one of `layers`
+    double weight = 1;      ///< of a layer: its opacity, times what is left of those in front
+    /// With Texture::over: the layers from the front on. color and alpha are those of all of them: alpha is
+    /// the sum of the weights, and alpha color that of weight times color. columns are -1 where the front one
+    /// is not.
+    std::vector<ExplainedTexture> layers{};
 };
 
 /// A place of a surface that a ray passes: a hole of its texture (TextureAlpha::mask), or the back of a

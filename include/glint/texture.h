@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "glint/shapes.h"
 #include "glint/vec.h"
 
 namespace glint {
@@ -96,6 +97,9 @@ struct TextureColor {
 /// The greatest number of colors in a Texture::color_map.
 inline constexpr std::size_t k_max_texture_colors = 256;
 
+/// The most textures in front of each other (Texture::over), the lowest one included.
+inline constexpr int k_max_texture_layers = 16;
+
 /// An affine map of u and v, as rows.
 struct UvMap {
     double m[2][3] = {{1, 0, 0}, {0, 1, 0}};
@@ -127,7 +131,11 @@ struct Texture {
     /// u and v in the picture from those of the surface: (a u + b v + c, d u + e v + f).
     UvMap uv_map{};
     Affine world_from_texture{};  ///< for mappings other than uv; invertible
-    std::string file{};           ///< the name of the picture's file; empty: none
+    /// Into Scene::textures; k_none: none. The texture that is seen where this one is transparent, or is not:
+    /// the color is the sum of those of the layers by what each shows, over the alpha of all. mix is that of
+    /// the front one. Not with TextureAlpha::mask.
+    std::uint32_t over = k_none;
+    std::string file{};  ///< the name of the picture's file; empty: none
 
     bool has_wrap(TextureWrap wrap) const { return wrap_u == wrap || wrap_v == wrap; }
     /// Whether surfaces may be transparent where it is.
@@ -139,8 +147,13 @@ struct Texture {
     }
     /// Whether there are places where surfaces have holes.
     bool has_holes() const { return alpha == TextureAlpha::mask && has_alpha(); }
-    /// The part of a surface's opacity that is left where the texels have this alpha.
+    /// The part of a surface's opacity that is left where the texels have this alpha; with `over`, where the
+    /// sum of the layers has it.
     double opacity(double texel_alpha) const {
+        return over == k_none ? own_opacity(texel_alpha) : texel_alpha;
+    }
+    /// Without the layers below.
+    double own_opacity(double texel_alpha) const {
         if (!has_alpha()) return 1;
         if (alpha == TextureAlpha::mask) return texel_alpha >= alpha_cutoff ? 1 : 0;
         return texel_alpha;

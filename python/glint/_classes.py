@@ -42,6 +42,7 @@ _TYPES: Dict[str, Any] = {
     "material": Optional[_glint.Material],
     "frame": Optional[_glint.CameraFrame],
     "texture": Optional[_glint.Texture],
+    "over": Optional[_glint.Texture],
     "caps": bool,
 }
 

@@ -179,6 +179,7 @@ class Texture:
         gain: float = ...,
         lacunarity: float = ...,
         uv_map: Any = ...,
+        over: Optional[Texture] = ...,
         world_from_texture: Any = ...,
     ) -> None: ...
     name: str
@@ -199,6 +200,7 @@ class Texture:
     gain: float
     lacunarity: float
     uv_map: _UvMapField
+    over: Optional[Texture]
     world_from_texture: _AffineField
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> Texture: ...

@@ -19,13 +19,17 @@ template <class Item> struct SharedItem {
 };
 
 using LightBox = SharedItem<Light>;
-using TextureBox = SharedItem<Texture>;
+/// A texture has another number in each scene, so Python's textures and materials refer to the object.
+struct TextureBox {
+    Texture value;  ///< without `over`
+    std::string name;
+    std::shared_ptr<TextureBox> over = {};  ///< null: none
+};
 using FrameBox = SharedItem<CameraFrame>;
 using FogBox = SharedItem<Fog>;
 using OcclusionBox = SharedItem<Occlusion>;
 using GradientBox = SharedItem<BackgroundGradient>;
 
-/// A texture has another number in each scene, so Python's materials refer to the object.
 struct MaterialBox {
     Material value;  ///< without its texture
     std::string name;
@@ -49,12 +53,19 @@ bool same(const Light& a, const Light& b);
 bool same(const Material& a, const Material& b);
 /// With their names and textures.
 bool same(const MaterialBox& a, const MaterialBox& b);
+/// With their names, and those that they are over.
+bool same(const TextureBox& a, const TextureBox& b);
+/// Its own, and those that it is over; the images are shared.
+std::shared_ptr<TextureBox> deep_copy(const TextureBox& texture);
 /// Wherever the images are from.
 bool same(const Texture& a, const Texture& b);
 bool same(const Camera& a, const Camera& b);
 bool same(const Fog& a, const Fog& b);
 bool same(const Occlusion& a, const Occlusion& b);
 bool same(const BackgroundGradient& a, const BackgroundGradient& b);
+
+/// The keyword is of the field `name`.
+std::shared_ptr<TextureBox> to_texture(const py::handle& value, std::string_view name);
 
 void bind_lights(py::module_& m);
 void bind_textures(py::module_& m);

@@ -23,12 +23,6 @@ void set_field(const ItemField<Material>& field, Material& material, const py::h
 
 namespace {
 
-std::shared_ptr<TextureBox> to_texture(const py::handle& value) {
-    if (value.is_none()) return nullptr;
-    if (py::isinstance<TextureBox>(value)) return value.cast<std::shared_ptr<TextureBox>>();
-    throw py::type_error("texture: expected a Texture or None, found " + repr_of(value));
-}
-
 Material make_material(const py::kwargs& keywords) {
     static constexpr std::string_view others[] = {"name", "texture"};
     Material material;
@@ -45,12 +39,12 @@ bool same(const Material& a, const Material& b) { return same_fields(a, b); }
 bool same(const MaterialBox& a, const MaterialBox& b) {
     if (a.name != b.name || !same(a.value, b.value)) return false;
     if (!a.texture || !b.texture) return a.texture == b.texture;
-    return a.texture->name == b.texture->name && same(a.texture->value, b.texture->value);
+    return same(*a.texture, *b.texture);
 }
 
 std::shared_ptr<MaterialBox> deep_copy(const MaterialBox& material) {
     auto copy = std::make_shared<MaterialBox>(material);
-    if (copy->texture) copy->texture = std::make_shared<TextureBox>(*copy->texture);
+    if (copy->texture) copy->texture = deep_copy(*copy->texture);
     return copy;
 }
 
@@ -62,13 +56,13 @@ void bind_materials(py::module_& m) {
         "0), specular=0.5). Three numbers are the coefficient itself. Setting `color` keeps the factors.");
     cls.def(py::init([](const py::kwargs& keywords) {
         auto box = std::make_shared<MaterialBox>(MaterialBox{make_material(keywords), name_in(keywords)});
-        if (keywords.contains("texture")) box->texture = to_texture(keywords["texture"]);
+        if (keywords.contains("texture")) box->texture = to_texture(keywords["texture"], "texture");
         return box;
     }));
     bind_fields<Material>(cls, &MaterialBox::value);
     cls.def_property(
         "texture", [](const MaterialBox& box) { return box.texture; },
-        [](MaterialBox& box, const py::object& texture) { box.texture = to_texture(texture); },
+        [](MaterialBox& box, const py::object& texture) { box.texture = to_texture(texture, "texture"); },
         "The Texture that changes the color from point to point, or None. It is added to the scenes that "
         "have the material.");
     cls.def_readwrite("name", &MaterialBox::name, "For scene.materials[name]; may be empty.")

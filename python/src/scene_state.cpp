@@ -106,6 +106,11 @@ std::shared_ptr<TextureBox> SceneState::texture(std::uint32_t index) {
         texture = std::make_shared<TextureBox>(
             TextureBox{scene_->textures[index], std::string(scene_->texture_texts.name(index))});
         texture_indices_[texture.get()] = index;
+        const std::shared_ptr<TextureBox> made = texture;
+        std::uint32_t& below = made->value.over;
+        if (below != k_none) made->over = this->texture(below);  // may move `texture`
+        below = k_none;
+        return made;
     }
     return texture;
 }
@@ -152,14 +157,21 @@ std::uint32_t SceneState::index_of(const std::shared_ptr<TextureBox>& texture) {
     if (!texture) return k_none;
     const auto found = texture_indices_.find(texture.get());
     if (found != texture_indices_.end()) return found->second;
+    const Texture value = whole(*texture);
     Scene& scene = own();
     const auto index = static_cast<std::uint32_t>(scene.textures.size());
-    scene.textures.push_back(texture->value);
+    scene.textures.push_back(value);
     set_name(scene.texture_texts, index, texture->name);
     textures_[index] = texture;
     texture_indices_[texture.get()] = index;
     ++now_.textures;
     return index;
+}
+
+Texture SceneState::whole(const TextureBox& texture) {
+    Texture value = texture.value;
+    value.over = index_of(texture.over);
+    return value;
 }
 
 Material SceneState::whole(const MaterialBox& material) {

@@ -118,6 +118,7 @@ class SceneState {
     std::vector<std::uint32_t> indices_of(const std::vector<std::shared_ptr<MaterialBox>>& materials);
     /// With the number of its texture, which is added if the scene does not have it.
     Material whole(const MaterialBox& material);
+    Texture whole(const TextureBox& texture);
     void write_transform(Shape& shape, const ShapeBox& box);
     /// What a shape has beside its parameters.
     void read_look(ShapeBox& box, std::uint32_t index);

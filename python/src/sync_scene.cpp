@@ -60,11 +60,15 @@ void SceneState::sync_materials() {
 
 void SceneState::sync_textures() {
     bool changed = false;
-    for (const auto& [index, box] : textures_) {
+    std::vector<std::uint32_t> known;
+    for (const auto& entry : textures_) known.push_back(entry.first);
+    for (const std::uint32_t index : known) {  // whole() may add textures
+        const std::shared_ptr<TextureBox> box = textures_[index];
+        const Texture value = whole(*box);
         if (scene_->texture_texts.name(index) != box->name) set_name(own().texture_texts, index, box->name);
         if (scene_->textures[index].file != box->value.file) own().textures[index].file = box->value.file;
-        if (same(scene_->textures[index], box->value)) continue;
-        own().textures[index] = box->value;
+        if (same(scene_->textures[index], value)) continue;
+        own().textures[index] = value;
         changed = true;
     }
     if (changed) ++now_.textures;

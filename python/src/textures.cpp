@@ -132,9 +132,21 @@ void set_map(TextureBox& texture, const py::handle& matrix) {
     texture.value.world_from_texture = matrix.is_none() ? Affine{} : to_affine(matrix, "world_from_texture");
 }
 
+// Chains end, so that those who walk them do.
+void set_over(TextureBox& texture, std::shared_ptr<TextureBox> over) {
+    int layers = 1;
+    for (const TextureBox* below = over.get(); below; below = below->over.get()) {
+        if (below == &texture) throw py::value_error("over: expected another texture, found a circle");
+        if (++layers > k_max_texture_layers)
+            throw py::value_error(
+                fmt::format("over: expected at most {} layers, found more", k_max_texture_layers));
+    }
+    texture.over = std::move(over);
+}
+
 std::shared_ptr<TextureBox> make_texture(const py::object& image, const py::object& colors,
                                          const py::kwargs& keywords) {
-    static constexpr std::string_view others[] = {"world_from_texture", "name"};
+    static constexpr std::string_view others[] = {"world_from_texture", "name", "over"};
     auto texture = std::make_shared<TextureBox>();
     if (image.is_none() == colors.is_none())
         throw py::type_error("Texture: expected an image or a color_map, found " +
@@ -146,6 +158,7 @@ std::shared_ptr<TextureBox> make_texture(const py::object& image, const py::obje
     }
     set_fields(texture->value, keywords, "Texture", others);
     if (keywords.contains("world_from_texture")) set_map(*texture, keywords["world_from_texture"]);
+    if (keywords.contains("over")) set_over(*texture, to_texture(keywords["over"], "over"));
     texture->name = name_in(keywords);
     return texture;
 }
@@ -161,10 +174,28 @@ std::string describe(const TextureBox& texture) {
         text += ", " + fields;
     if (!(value.world_from_texture == Affine{}))
         text += ", world_from_texture=" + repr_of(to_python(value.world_from_texture).attr("tolist")());
+    if (texture.over) text += ", over=" + describe(*texture.over);
     return text + ")";
 }
 
 }  // namespace
+
+std::shared_ptr<TextureBox> to_texture(const py::handle& value, std::string_view name) {
+    if (value.is_none()) return nullptr;
+    if (py::isinstance<TextureBox>(value)) return value.cast<std::shared_ptr<TextureBox>>();
+    throw py::type_error(fmt::format("{}: expected a Texture or None, found {}", name, repr_of(value)));
+}
+
+std::shared_ptr<TextureBox> deep_copy(const TextureBox& texture) {
+    auto copy = std::make_shared<TextureBox>(texture);
+    if (copy->over) copy->over = deep_copy(*copy->over);
+    return copy;
+}
+
+bool same(const TextureBox& a, const TextureBox& b) {
+    if (a.name != b.name || !same(a.value, b.value)) return false;
+    return a.over && b.over ? same(*a.over, *b.over) : a.over == b.over;
+}
 
 bool same(const Texture& a, const Texture& b) {
     if (!same_fields(a, b) || !(a.world_from_texture == b.world_from_texture)) return false;
@@ -184,6 +215,11 @@ void bind_textures(py::module_& m) {
         "filter='nearest'.");
     cls.def(py::init(&make_texture), py::arg("image") = py::none(), py::arg("color_map") = py::none());
     bind_fields<Texture>(cls, &TextureBox::value);
+    cls.def_property(
+        "over", [](const TextureBox& t) { return t.over; },
+        [](TextureBox& t, const py::object& over) { set_over(t, to_texture(over, "over")); },
+        "The Texture that is seen where this one is transparent, or is not; None: none. Not with "
+        "alpha='mask'.");
     cls.def_property("image", &texels_of, &set_image,
                      "The texels, a read-only array of height x width x 3 or 4 of uint8 or uint16, the first "
                      "row at the top. They do not change in place: assign another array, a file's name, or "
@@ -206,11 +242,13 @@ void bind_textures(py::module_& m) {
         .def("__eq__",
              [](const TextureBox& a, const py::object& other) {
                  if (!py::isinstance<TextureBox>(other)) return false;
-                 const auto& b = other.cast<const TextureBox&>();
-                 return a.name == b.name && same(a.value, b.value);
+                 return same(a, other.cast<const TextureBox&>());
              })
         .def("__repr__", &describe);
-    bind_copies<decltype(cls), TextureBox>(cls, [](const TextureBox& box) { return box; });
+    cls.def("__copy__", [](const TextureBox& box) { return std::make_shared<TextureBox>(box); });
+    cls.def(
+        "__deepcopy__", [](const TextureBox& box, const py::dict&) { return deep_copy(box); },
+        py::arg("memo"));
     cls.attr("__hash__") = py::none();
 }
 

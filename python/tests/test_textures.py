@@ -333,3 +333,21 @@ def test_the_background_has_a_map_of_colors():
     assert (before != after).any() and after[:, :, 1].max() > 0.9 > 0.5 > after[:, :, 0].min()
     with pytest.raises(ValueError, match="color_map: expected places in ascending order"):
         scene.gradient.color_map = [(1, "red"), (0, "blue")]
+
+
+def test_layers():
+    base = glint.Texture(color_map=[(0, (0, 0, 1))], mapping="planar")
+    top = glint.Texture(color_map=[(0, (1, 0, 0), 0.25)], mapping="planar", over=base)
+    scene = glint.Scene()
+    scene.add(glint.Sphere((0, 0, 0), 1, glint.Material(texture=top)))
+    assert len(scene.textures) == 2
+    again = glint.loads(scene.to_glint())
+    assert again.shapes[0].material.texture == top
+    assert again.shapes[0].material.texture.over == base
+    assert copy.deepcopy(top).over is not base
+    with pytest.raises(ValueError, match="circle"):
+        base.over = top
+    with pytest.raises(TypeError, match="over: expected a Texture"):
+        top.over = 3
+    top.over = None
+    assert glint.loads(scene.to_glint()).shapes[0].material.texture.over is None

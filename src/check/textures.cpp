@@ -95,7 +95,7 @@ void check_coordinates(CheckContext& context) {
 
 // Whether the picture has nothing but what its alpha makes invisible.
 bool is_invisible(const Texture& texture) {
-    if (!texture.has_alpha() || !texture.image || !texture.image->has_alpha ||
+    if (!texture.has_alpha() || !texture.image || texture.over != k_none || !texture.image->has_alpha ||
         texture.has_wrap(TextureWrap::once))
         return false;
     return std::visit(
@@ -185,7 +185,8 @@ void check_textures(CheckContext& context, const VisibleHits& visible, bool sees
     if (scene.textures.empty()) return;
     std::vector<bool> used(scene.textures.size());
     for (const Material& material : scene.materials)
-        if (material.texture < scene.textures.size()) used[material.texture] = true;
+        for (std::uint32_t t = material.texture; t < scene.textures.size(); t = scene.textures[t].over)
+            used[t] = true;
     check_coordinates(context);
     const OnceTextures once = find_once(context);
     for (std::uint32_t i = 0; i < scene.textures.size(); ++i) {

@@ -33,9 +33,8 @@ std::string colors_text(const Texture& texture, const ExplainedTexture& t) {
                        number(t.next_column_weight));
 }
 
-}  // namespace
-
-std::string texture_text(const Scene& scene, const ExplainedTexture& t) {
+// Where it is, and what it shows there.
+std::string sample_text(const Scene& scene, const ExplainedTexture& t) {
     const Texture& texture = scene.textures[t.texture];
     std::string text = fmt::format("{} at {}: ", texture_item_text(scene, t.texture), uv_text(texture, t));
     if (t.column < 0) {
@@ -49,7 +48,23 @@ std::string texture_text(const Scene& scene, const ExplainedTexture& t) {
                             number(1 - t.next_column_weight), t.next_column, number(t.next_column_weight),
                             t.row, number(1 - t.next_row_weight), t.next_row, number(t.next_row_weight));
     }
-    text += fmt::format(", color {}", color(t.color));
+    return text;
+}
+
+std::string layers_text(const Scene& scene, const ExplainedTexture& t) {
+    std::string text = texture_item_text(scene, t.texture) + " and what it is over: ";
+    for (const ExplainedTexture& layer : t.layers)
+        text += fmt::format("{}{} of {}, color {}", &layer == &t.layers.front() ? "" : "; ",
+                            number(layer.weight), sample_text(scene, layer), color(layer.color));
+    return text + "; together";
+}
+
+}  // namespace
+
+std::string texture_text(const Scene& scene, const ExplainedTexture& t) {
+    const Texture& texture = scene.textures[t.texture];
+    std::string text = t.layers.empty() ? sample_text(scene, t) + "," : layers_text(scene, t);
+    text += fmt::format(" color {}", color(t.color));
     if (t.alpha != 1) text += fmt::format(", alpha {}", number(t.alpha));
     return text + (texture.mix == TextureMix::multiply  ? ", which multiplies color, k_a and k_d"
                    : texture.mix == TextureMix::replace ? ", which replaces the color"

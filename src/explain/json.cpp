@@ -170,6 +170,7 @@ Json texture_json(const Scene& scene, const ExplainedTexture& texture) {
     if (const std::string_view name = scene.texture_texts.name(texture.texture); !name.empty())
         json["name"] = name;
     add_terms(json, k_texture_terms, texture, {scene});
+    for (const ExplainedTexture& layer : texture.layers) json["layers"].push_back(texture_json(scene, layer));
     return json;
 }
 

@@ -55,6 +55,7 @@ inline bool has_outline(const ExplainedHit& hit, const TermContext&) { return hi
 template <bool ExplainedRay::*Flag> bool is_set(const ExplainedRay& ray, const TermContext&) {
     return ray.*Flag;
 }
+inline bool is_layer(const ExplainedTexture& texture, const TermContext&) { return texture.is_layer; }
 inline bool is_back(const ExplainedHole& hole, const TermContext&) { return hole.back; }
 inline bool is_of_texture(const ExplainedHole& hole, const TermContext&) { return !hole.back; }
 inline bool passes_holes(const ExplainedRay& ray, const TermContext&) { return ray.hole_count > 0; }
@@ -130,6 +131,10 @@ inline constexpr ExplainedTerm<ExplainedTexture> k_texture_terms[] = {
     {"next_row_weight", &ExplainedTexture::next_row_weight, "the weight of the next row"},
     {"color", &ExplainedTexture::color, "the color of the texels or of the map, decoded and mixed"},
     {"alpha", &ExplainedTexture::alpha, "their alpha, mixed; 1 without one"},
+    {"weight", &ExplainedTexture::weight,
+     "of one of the layers: its opacity, times what is left of those in front of it; alpha is their sum, and "
+     "alpha times color is that of weight times color",
+     terms::is_layer},
 };
 
 inline constexpr ExplainedTerm<ExplainedCrossing> k_crossing_terms[] = {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include <algorithm>
 #include <array>
 
@@ -148,6 +150,7 @@ void GlintTextures::read_block(GlintText& t, const Token& word) {
     Texture texture;
     GlintItem item;
     int sources = 0;
+    std::optional<Token> over;
     const bool whole = t.blocks.fields(set, word, [&](int field, const Token& at) {
         if (field == k_texture_file) {
             const Token file = t.p.token();
@@ -169,6 +172,9 @@ void GlintTextures::read_block(GlintText& t, const Token& word) {
             ++sources;
             return read_color_map(t, at, true, texture.color_map);
         }
+        if (field < k_first_texture_map &&
+            is_field_of(k_texture_fields[field - k_first_texture_field], &Texture::over))
+            return read_name(t, "the name of a texture", over.emplace());
         if (field < k_first_texture_map)
             return read_field(t, k_texture_fields[field - k_first_texture_field], texture);
         return read_transform_key(t, field - k_first_texture_map, at, item);
@@ -188,6 +194,7 @@ void GlintTextures::read_block(GlintText& t, const Token& word) {
     const std::uint32_t index = index_of(t.scene, key);
     undefined_.erase(key);
     t.scene.textures[index] = std::move(texture);
+    if (over) overs_.push_back({index, t.p.name(*over), {t.text.place, *over}});
     auto& texts = t.scene.texture_texts;
     if (texts.places.size() <= index) texts.places.resize(std::size_t{index} + 1);
     texts.places[index] = place;
@@ -195,6 +202,14 @@ void GlintTextures::read_block(GlintText& t, const Token& word) {
 }
 
 void GlintTextures::finish(LoadState& reading) {
+    for (const Over& over : overs_) {
+        const auto below = known_.find(over.name);
+        if (below == known_.end()) {
+            undefined_.emplace(over.name, over.use);
+        } else {
+            reading.scene.textures[over.texture].over = below->second;
+        }
+    }
     std::vector<std::string_view> names;
     for (const auto& [name, index] : known_) {
         if (!undefined_.contains(name)) names.push_back(name);

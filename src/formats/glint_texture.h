@@ -2,6 +2,7 @@
 #pragma once
 // The textures of .glint, which materials refer to by their names.
 #include <string>
+#include <vector>
 
 #include "formats/glint_text.h"
 #include "glint/texture.h"
@@ -29,6 +30,14 @@ class GlintTextures {
         InputText place;
         Token token;
     };
+    // `over` of a texture. Numbers are those of the blocks' order, so that they are the same when they are
+    // read again.
+    struct Over {
+        std::uint32_t texture;
+        std::string name;
+        Use use;
+    };
+    std::vector<Over> overs_;
     std::uint32_t index_of(Scene& scene, const std::string& name);
 
     CountedMap<std::string, std::uint32_t> known_;  // by name

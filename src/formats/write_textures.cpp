@@ -65,8 +65,10 @@ void write_textures(BlockWriter& block, const Scene& scene, const MaterialPlan& 
             append_quoted(block.key("file"), texture.file);
         }
         for (const ItemField<Texture>& field : k_texture_fields) {
-            if (!same_bits(field, texture, Texture{})) write_field(block, field, texture);
+            if (is_field_of(field, &Texture::over) || same_bits(field, texture, Texture{})) continue;
+            write_field(block, field, texture);
         }
+        if (texture.over != k_none) append_name(block.key("over"), plan.texture_name(texture.over));
         if (!(texture.world_from_texture == Affine{})) write_map(block, texture.world_from_texture);
         comments.end_block(block, ItemKind::texture, i);
     }

@@ -21,7 +21,8 @@ template <> struct FieldMembers<Texture> {
     using Any =
         std::variant<Chosen<TextureMapping>, Chosen<TextureWrap>, Chosen<TextureFilter>, Chosen<TextureMix>,
                      Chosen<TextureEncoding>, Chosen<TextureAlpha>, FieldMember<Texture, double, NumberType>,
-                     FieldMember<Texture, Vec3, PointType>, FieldMember<Texture, UvMap, UvMapType>>;
+                     FieldMember<Texture, Vec3, PointType>, FieldMember<Texture, UvMap, UvMapType>,
+                     FieldMember<Texture, std::uint32_t, TextureType>>;
 };
 
 /// .glint also has `file`, `texels` or `color_map`, and the keys of transforms.
@@ -55,6 +56,8 @@ inline constexpr ItemField<Texture> k_texture_fields[] = {
      "of turbulence: how many times finer each size is than the size before"},
     {"uv_map", "uv_map", "map of u and v", uv_map_field(&Texture::uv_map),
      "two rows of three numbers: a u + b v + c and d u + e v + f are used instead of u and v"},
+    {"over", "over", "over", texture_field(&Texture::over),
+     "the texture that is seen where this one is transparent, or is not; not with mask"},
 };
 
 }  // namespace glint

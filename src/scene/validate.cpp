@@ -297,6 +297,21 @@ class Validator {
             error(place, fmt::format("{}: {}", of, mistake));
         if (const std::string_view mistake = mistake_in(texture.world_from_texture); !mistake.empty())
             error(place, fmt::format("{}: its transform{}", of, mistake));
+        check_layers(i, place, of);
+    }
+
+    // The layers from this texture on.
+    void check_layers(std::uint32_t i, SourcePlace place, const std::string& of) {
+        int layers = 1;
+        for (std::uint32_t below = i; (below = scene_.textures[below].over) != k_none;) {
+            if (below >= scene_.textures.size()) return error(place, of + ": over: no such texture");
+            if (++layers > k_max_texture_layers)
+                return error(place,
+                             fmt::format("{}: over: expected at most {} layers, found more, or a circle", of,
+                                         k_max_texture_layers));
+        }
+        if (layers > 1 && scene_.textures[i].alpha == TextureAlpha::mask)
+            error(place, of + ": over: expected an alpha other than mask");
     }
 
     void check_texture_index(std::uint32_t i) {

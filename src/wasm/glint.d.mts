@@ -257,6 +257,8 @@ export interface ExplainedTexture extends TextureTerms {
     index: number;
     name?: string;
     mix: 'multiply' | 'multiply_all' | 'replace';
+    /** Of a texture over others: itself and these, from the front. */
+    layers?: ExplainedTexture[];
 }
 
 export interface ExplainedHole extends HoleTerms {
@@ -497,6 +499,8 @@ export interface TextureTerms {
     color: Vec3;
     /** their alpha, mixed; 1 without one */
     alpha: number;
+    /** of one of the layers: its opacity, times what is left of those in front of it; alpha is their sum, and alpha times color is that of weight times color */
+    weight?: number;
 }
 
 export interface HoleTerms {

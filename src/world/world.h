@@ -155,6 +155,9 @@ struct WorldParts {
         return index < static_cast<double>(textures->size()) ? &(*textures)[static_cast<std::size_t>(index)]
                                                              : nullptr;
     }
+    std::uint32_t index_of(const PreparedTexture& texture) const {
+        return static_cast<std::uint32_t>(&texture - textures->data());
+    }
     bool has_alpha_texture(std::uint32_t row) const {
         const PreparedTexture* const texture = texture_of(row);
         return texture != nullptr && texture->has_alpha();

@@ -288,6 +288,7 @@ TEST(Misuse, TexturesWithoutImages) {
     EXPECT_FALSE(texture.has_alpha()) << "it has no image";
     EXPECT_FALSE(texture.has_holes());
     EXPECT_EQ(texture.opacity(k_nan), 1);
+    EXPECT_EQ(texture.own_opacity(k_nan), 1);
     EXPECT_EQ(TextureImage{}.channels(), 3u);
     Scene scene = some_scene();
     texture.wrap_u = static_cast<TextureWrap>(9);

@@ -18,6 +18,7 @@ import finish
 import fog
 import height_fields
 import images
+import layers
 import lights
 import output
 import patterns
@@ -31,7 +32,7 @@ import transparency
 
 SHARE = 0.99
 LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES, output.RULES, dat.RULES, pov.RULES,
-         images.RULES, patterns.RULES, quadrics.RULES, solids.RULES, sweeps.RULES, height_fields.RULES, tori.RULES]
+         images.RULES, layers.RULES, patterns.RULES, quadrics.RULES, solids.RULES, sweeps.RULES, height_fields.RULES, tori.RULES]
 
 
 def read_ppm(path):

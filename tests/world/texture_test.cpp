@@ -266,6 +266,25 @@ TEST(Textures, AreExplained) {
     EXPECT_GE(textured, 3);
 }
 
+TEST(Textures, OfLayersAreTheirSum) {
+    const Scene scene = scene_of(
+        "texture top { mapping = planar  color_map = ((0, (1, 0, 0), 0.25))  over = middle }\n"
+        "texture middle { mapping = checker  color_map = ((0, (0, 1, 0), 0.5))  over = low }\n"
+        "texture low { mapping = planar  color_map = ((0, (0, 0, 1)))  mix = replace }" +
+        std::string(k_mesh) + "color = (0.5, 1, 1)  texture = top }");
+    const World world = prepare(scene).value();
+    const ExplainedHit hit = explain(scene, world, 16, 15).value().rays.front().hit.value();
+    const ExplainedTexture& t = hit.texture.value();
+    EXPECT_EQ(t.texture, scene.materials[0].texture);
+    EXPECT_EQ(t.color, (Color{0.25, 0.375, 0.375}));
+    EXPECT_EQ(t.alpha, 1);
+    ASSERT_EQ(t.layers.size(), 3u);
+    EXPECT_EQ(t.layers[0].texture, t.texture);
+    const double weights[] = {0.25, 0.375, 0.375};
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(t.layers[i].weight, weights[i]);
+    EXPECT_EQ(hit.ambient, (scene.materials[0].ambient * t.color * Color{0.3, 0.3, 0.3}));
+}
+
 // Without texture, the mesh of k_mesh and what is around it.
 constexpr std::string_view k_around =
     "sphere { center = (0.3, 0.5, -2)  radius = 1  color = (0.2, 0.9, 0.4) }\n"

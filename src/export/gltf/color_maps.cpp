@@ -11,18 +11,33 @@ namespace {
 
 constexpr int k_places = 256;  // of u, to find a mean
 
-// The material with the mean color of its texture.
-Material mean_material(const Material& material, const Texture& texture) {
+// White for a picture below others.
+TextureColor mean_color(const Texture& texture) {
+    TextureColor sum{0, {}, 0};
+    if (texture.image) return {0, {1, 1, 1}, 1};
     Texture whole = texture;
+    whole.over = k_none;
     whole.wrap_u = whole.wrap_v = TextureWrap::clamp;
     const PreparedTexture prepared = prepare_textures({&whole, 1}).front();
-    TextureColor sum{0, {}, 0};
     for (int i = 0; i < k_places; ++i) {
         const TextureSample sample = *sample_texture(prepared, {(i + 0.5) / k_places, 0});
         sum.color = sum.color + sample.color;
         sum.alpha += sample.alpha;
     }
-    Material mean = with_texture(material, texture, sum.color * (1.0 / k_places), sum.alpha / k_places);
+    return {0, sum.color * (1.0 / k_places), texture.own_opacity(sum.alpha / k_places)};
+}
+
+// The material with the mean color of its texture, and of those that this one is over.
+Material mean_material(const Scene& scene, const Material& material) {
+    Color color;
+    double left = 1;
+    for (std::uint32_t i = material.texture; i != k_none; i = scene.textures[i].over) {
+        const TextureColor layer = mean_color(scene.textures[i]);
+        color = color + layer.color * (left * layer.alpha);
+        left -= left * layer.alpha;
+    }
+    Material mean = with_texture(material, scene.textures[material.texture],
+                                 left < 1 ? color * (1 / (1 - left)) : color, 1 - left);
     mean.texture = k_none;
     return mean;
 }
@@ -37,7 +52,7 @@ std::optional<Scene> with_mean_colors(const Scene& scene, Losses& losses) {
     losses.add("patterns and maps of colors (`color_map`)", "the surfaces have their mean color");
     std::optional<Scene> changed = scene;
     for (Material& material : changed->materials) {
-        if (is_map(material)) material = mean_material(material, scene.textures[material.texture]);
+        if (is_map(material)) material = mean_material(scene, material);
     }
     return changed;
 }

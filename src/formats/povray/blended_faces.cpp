@@ -52,6 +52,8 @@ void SceneBuilder::add_blended_face(const Object& o, const Inherited& own, std::
         report(texture->missing);
         if (texture->pigment.image_number != textures[0]->pigment.image_number)
             report({"image_map", "of a part of a face's corners", stream_.call_place(o.at)});
+        if (texture->layers_number != textures[0]->layers_number)
+            report({"layered textures", "of a part of a face's corners", stream_.call_place(o.at)});
         if (texture->pigment.color[3] != textures[0]->pigment.color[3]) {
             report({"texture_list", "with different filters at the corners of a face",
                     stream_.call_place(o.at)});

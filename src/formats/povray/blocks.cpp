@@ -103,10 +103,10 @@ MaterialValue TextureParser::read_material() {
     if (!deeper.ok || !expect('{')) return material;
     while (!failed() && !accept('}')) {
         if (std::optional<Affine> step; read_transform_item(step)) {
-            if (!material.texture || !material.texture->pigment.image || material.texture->has_own_place())
-                continue;
+            if (!material.texture || !(material.texture->pigment.image || material.texture->below)) continue;
             auto moved = make_counted<Texture>(*material.texture);
-            transform_image(moved->pigment, step);
+            if (!moved->has_own_place()) transform_image(moved->pigment, step);
+            transform_below(*moved, step);
             material.texture = std::move(moved);
             continue;
         }

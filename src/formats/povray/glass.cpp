@@ -18,8 +18,8 @@ constexpr std::uint64_t k_max_tests = 10'000'000;
 // reflection inside are not.
 double SceneBuilder::glass_of(const Inherited& own) const {
     const std::array<double, 5>& p = own.texture->pigment.color;
-    if (!own.is_solid || own.is_merge || own.texture->is_layered || own.texture->pigment.image ||
-        !own.interior || own.interior->ior == 1 || !(own.interior->ior > 0)) {
+    if (!own.is_solid || own.is_merge || own.texture->below || own.texture->pigment.image || !own.interior ||
+        own.interior->ior == 1 || !(own.interior->ior > 0)) {
         return 0;
     }
     const Color& mirror = own.texture->finish.reflection_max;

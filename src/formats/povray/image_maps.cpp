@@ -11,14 +11,15 @@ namespace glint::povray {
 // Moves the pigment's image. With `uv_mapping`, only transforms in the block that has it apply, to u and v:
 // the callers leave out the others.
 void TextureParser::transform_image(Pigment& pigment, const std::optional<Affine>& step) {
-    if (!step || !pigment.image) return;
+    if (!step || !(pigment.image || pigment.pattern)) return;
     pigment.map = pigment.map ? compose(*step, *pigment.map) : *step;
-    pigment.image_number = ++images_;
+    if (pigment.image) pigment.image_number = ++images_;
 }
 
 // { items }, after `image_map`
 void TextureParser::read_image_map(Pigment& pigment, const Token& at) {
     ImageItems items;
+    pigment.pattern = nullptr;
     if (!expect('{')) return;
     while (!failed() && !accept('}')) {
         if (!accept(',')) read_image_item(at, items);

@@ -18,6 +18,15 @@ bool has_nothing_else(const Texture& texture, const Opaque* interior, bool is_me
     return !has_warnings(texture) && interior == nullptr && !is_merge;
 }
 
+// Whether a layer below that of the finish `top` looks as if it had this finish.
+bool looks_the_same_below(const Finish& below, const Finish& top) {
+    const auto has_highlight = [](const Finish& f) { return f.phong > 0 || f.specular > 0; };
+    const bool is_matte = !has_highlight(below) && below.reflection_max == Color{0, 0, 0};
+    const bool has_color = (top.metallic != 0 && has_highlight(top)) || top.reflection_metallic != 0;
+    return is_matte && !has_color && below.ambient == top.ambient && below.emission == top.emission &&
+           below.diffuse == top.diffuse && below.brilliance == top.brilliance;
+}
+
 double largest(Color c) { return std::max({c.r, c.g, c.b}); }
 
 }  // namespace
@@ -56,24 +65,27 @@ TextureNumbers numbers_of(const Texture& texture) {
             f.reflection_exponent,
             f.reflection_fresnel ? 1.0 : 0.0,
             f.conserve_energy ? 1.0 : 0.0,
-            texture.pigment.image_number};
+            texture.pigment.image_number,
+            texture.layers_number};
 }
 
 bool has_warnings(const Texture& texture) {
     return !texture.missing.empty() || texture.pigment.missing || !texture.finish.missing.empty() ||
-           texture.finish.has_no_refraction || texture.is_layered;
+           texture.finish.has_no_refraction || texture.below;
 }
 
 std::uint32_t SceneBuilder::material_of(const Inherited& own, const Token& at) {
     const Texture& texture = *own.texture;
     const Finish& f = texture.finish;
-    const std::array<double, 5>& p = texture.pigment.color;
+    const Look look = look_of(own, at);
+    const std::array<double, 5>& p = look.color;
     const double glass = glass_of(own);
-    NumberTable<34>::Key key;
+    NumberTable<35>::Key key;
     const TextureNumbers numbers = numbers_of(texture);
     *std::copy(numbers.begin(), numbers.end(), key.begin()) = own.is_no_shadow ? 1.0 : 0.0;
-    const std::uint32_t image = texture.pigment.image ? texture_of(own, at) : k_none;
-    if (image != k_none) key[numbers.size() - 1] = image + 1.0;
+    std::copy(p.begin(), p.end(), key.begin());
+    key[numbers.size() - 2] = look.image == k_none ? 0 : look.image + 1.0;
+    key[numbers.size() - 1] = 0;
     key.back() = glass > 0 ? own.interior->ior : 0.0;
     const bool is_last = last_material_ != k_none && key == last_key_;
     if (is_last && is_last_plain_ && has_nothing_else(texture, own.interior, own.is_merge))
@@ -86,7 +98,7 @@ std::uint32_t SceneBuilder::material_of(const Inherited& own, const Token& at) {
     Material m;
     const Color pigment{p[0], p[1], p[2]};
     m.color = pigment;
-    m.texture = image;
+    m.texture = look.image;
     m.ambient = times(p, f.ambient);
     m.emission = times(p, f.emission);
     m.diffuse = pigment * f.diffuse;
@@ -133,11 +145,14 @@ void SceneBuilder::report_texture(const Inherited& own, const Token& at) {
     const Texture& texture = *own.texture;
     const Finish& f = texture.finish;
     const std::array<double, 5>& p = texture.pigment.color;
-    report(texture.missing);
-    if (texture.pigment.missing) report(*texture.pigment.missing);
-    report(f.missing);
-    const bool is_transparent =
-        p[3] != 0 || p[4] != 0 || (texture.pigment.image && texture.pigment.image->has_alpha());
+    bool is_transparent = true, is_one_finish = true;  // of the layers that are seen
+    for (const Texture* layer = &texture; layer && is_transparent; layer = layer->below.get()) {
+        report(layer->missing);
+        if (layer->pigment.missing) report(*layer->pigment.missing);
+        report(layer->finish.missing);
+        is_one_finish = is_one_finish && (layer == &texture || looks_the_same_below(layer->finish, f));
+        is_transparent = is_clear(*layer);
+    }
     const auto check = [&](bool is_used, std::string_view name, std::string_view meaning) {
         if (is_used && !reading_.diagnostics.warned(name)) report({name, meaning, stream_.call_place(at)});
     };
@@ -147,7 +162,9 @@ void SceneBuilder::report_texture(const Inherited& own, const Token& at) {
           "refraction");
     check(is_transparent && f.has_no_refraction, "refraction", "of 0");
     check(is_transparent && own.is_merge, "merge", "of transparent surfaces");
-    check(is_transparent && texture.is_layered, "layered textures", "transparent textures over others");
+    check(!is_one_finish, "layered textures",
+          "with several finishes, or with highlights or reflections below the top layer: all have the finish "
+          "of that layer");
     check(f.metallic < 0 || f.metallic > 1 || f.reflection_metallic < 0 || f.reflection_metallic > 1,
           "metallic", "beyond 0 and 1");
     check(f.brilliance < 0, "brilliance", "below 0");

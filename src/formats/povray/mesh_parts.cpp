@@ -116,7 +116,7 @@ bool is_linear_in_color(const Texture& texture) {
     const std::array<double, 5>& p = texture.pigment.color;
     const auto fits = [](double c) { return c >= 0 && c <= 1e6; };  // what vertex colors may be
     return f.emission == Color{0, 0, 0} && f.ambient.r == f.ambient.g && f.ambient.g == f.ambient.b &&
-           p[3] == 0 && fits(p[0]) && fits(p[1]) && fits(p[2]);
+           p[3] == 0 && !texture.below && fits(p[0]) && fits(p[1]) && fits(p[2]);
 }
 
 Texture without_color(const Texture& texture) {

@@ -35,8 +35,7 @@ bool ObjectParser::read_modifier(Object& object) {
     switch (item.word()) {
         case Word::k_texture:
             take();
-            object.texture = layered(object.texture, read_texture());
-            object.texture_map.reset();
+            add_layer(object, read_texture());
             return true;
         case Word::k_pigment:
             take();
@@ -56,8 +55,7 @@ bool ObjectParser::read_modifier(Object& object) {
             take();
             const MaterialValue material = read_material();
             if (material.texture) {
-                object.texture = layered(object.texture, *material.texture);
-                object.texture_map.reset();
+                add_layer(object, *material.texture);
             }
             if (material.interior) object.interior = material.interior;
             for (const Missing& of : material.missing) object.missing.add(of);

@@ -76,7 +76,7 @@ std::array<double, 5> TextureParser::color_of(const Pigment& pigment, PatternPar
 
 std::array<double, 5> TextureParser::color_of(const Texture& texture, PatternParts& parts) {
     for (const Missing& missing : texture.missing) parts.missing.add(missing);
-    parts.are_plain = parts.are_plain && !texture.is_layered;
+    parts.are_plain = parts.are_plain && !texture.below;
     if (parts.first) {
         Texture recolored = texture;
         recolored.pigment = parts.first->pigment;

@@ -18,11 +18,13 @@ constexpr Affine k_y_is_z{{{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}}};
 constexpr Affine k_x_is_z{{{0, 0, -1, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}}};
 constexpr Affine k_x_is_y{{{0, -1, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}}};
 
-// How the pattern's number comes from the mapping's u. periodic: u - floor(u); inward: 1 - u, 0 from u = 1
-// on; plain: u.
-enum class Range : std::uint8_t { periodic, inward, plain };
+}  // namespace
 
 struct PatternRow {
+    // How the pattern's number comes from the mapping's u. periodic: u - floor(u); inward: 1 - u, 0 from u =
+    // 1 on; plain: u.
+    enum class Range : std::uint8_t { periodic, inward, plain };
+
     std::string_view word;
     TextureMapping mapping;
     Range range = Range::periodic;
@@ -31,6 +33,10 @@ struct PatternRow {
     Affine pattern_from_mapping = k_same;
     double turbulence = 0;  // of the pattern itself
 };
+
+namespace {
+
+using Range = PatternRow::Range;
 constexpr PatternRow k_patterns[] = {
     {"checker", TextureMapping::checker},
     {"gradient", TextureMapping::planar},
@@ -119,23 +125,23 @@ std::optional<Change> change_of(const PatternRow& row, const PatternItems& items
 // rest of the block. map: of the transforms in the block.
 void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optional<Affine>& map,
                                  PatternParts& parts) {
-    const auto row = std::find_if(std::begin(k_patterns), std::end(k_patterns),
-                                  [&](const PatternRow& p) { return p.word == text_of(item); });
+    const PatternRow* const row = find_pattern(text_of(item));
     pigment.missing = missing(item, text_of(item));
     pigment.missing->meaning = "a pattern";
     // What a named pigment before it had.
     pigment.gradient = nullptr;
     pigment.image = nullptr;
     pigment.image_number = 0;
-    if (row == std::end(k_patterns)) return skip_rest();
-    glint::Texture texture;
+    pigment.pattern = nullptr;
+    pigment.map.reset();
+    if (row == nullptr) return skip_rest();
+    PatternSource source{row, item, {}};
+    glint::Texture& texture = source.texture;
     texture.mapping = row->mapping;
     texture.world_from_texture = row->pattern_from_mapping;
-    PatternItems items;
-    Vec3 axis{1, 0, 0};
     texture.color_map = block_colors(row->mapping);
-    const bool is_block = !texture.color_map.empty();
-    bool has_filter = is_block && read_block_colors(texture, parts);
+    source.has_filter = !texture.color_map.empty() && read_block_colors(texture, parts);
+    Vec3& axis = source.axis;
     if (row->word == "gradient") {
         const Token at = peek();
         axis = vector();
@@ -143,21 +149,58 @@ void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optio
         axis = normalize(axis);  // its length does not count in POV-Ray
         texture.world_from_texture = x_to(axis);
     }
+    PatternItems& items = source.items;
     read_pattern_items(items, map, parts);
     if (failed()) return;
-    items.is_known = items.is_known && parts.are_plain && items.lambda > 0 && items.lambda <= 1e12;
+    const bool is_plain = items.frequency == 1 && items.phase == 0 && !items.is_triangle.value_or(false);
+    if (row->word == "gradient" && items.is_known && parts.are_plain && is_plain &&
+        items.turbulence == Vec3{}) {
+        auto gradient = make_counted<GradientPattern>();
+        *gradient = {axis, items.map, map};
+        pigment.gradient = std::move(gradient);
+    }
+    draw_pattern(pigment, std::move(source), parts.are_plain);
+}
+
+const PatternRow* TextureParser::find_pattern(std::string_view word) {
+    const auto row = std::find_if(std::begin(k_patterns), std::end(k_patterns),
+                                  [&](const PatternRow& p) { return p.word == word; });
+    return row == std::end(k_patterns) ? nullptr : row;
+}
+
+// Words after the name of a pigment with a pattern: what they say replaces what it has.
+void TextureParser::change_pattern(Pigment& pigment, std::optional<Affine>& map) {
+    PatternSource source = *pigment.pattern;
+    CountedVector<ColorMapEntry> colors;
+    colors.swap(source.items.map);
+    PatternParts parts;
+    read_pattern_items(source.items, map, parts);
+    if (failed()) return;
+    if (source.items.map.empty()) source.items.map = std::move(colors);
+    pigment.missing = missing(source.at, source.row->word);
+    pigment.missing->meaning = "a pattern";
+    pigment.gradient = nullptr;
+    pigment.image = nullptr;
+    pigment.image_number = 0;
+    draw_pattern(pigment, std::move(source), parts.are_plain);
+}
+
+// The pigment of what has been read, which is `missing` if the engine has no such pattern.
+void TextureParser::draw_pattern(Pigment& pigment, PatternSource source, bool are_plain) {
+    const PatternRow* const row = source.row;
+    glint::Texture texture = source.texture;
+    PatternItems items = source.items;
+    const Token item = source.at;
+    bool has_filter = source.has_filter;
+    const bool is_block = !texture.color_map.empty();
+    pigment.pattern = make_counted<const PatternSource>(std::move(source));
+    items.is_known = items.is_known && are_plain && items.lambda > 0 && items.lambda <= 1e12;
     if (row->mapping == TextureMapping::bricks) {
         const Vec3 size = items.brick_size;
         if (!(size.x > 0 && size.y > 0 && size.z > 0)) return;
         texture.world_from_texture = scaling(size);
         const auto part = [&](double side) { return std::clamp(items.mortar / side, 0.0, 1.0); };
         texture.mortar = {part(size.x), part(size.y), part(size.z)};
-    }
-    const bool is_plain = items.frequency == 1 && items.phase == 0 && !items.is_triangle.value_or(false);
-    if (row->word == "gradient" && items.is_known && is_plain && items.turbulence == Vec3{}) {
-        auto gradient = make_counted<GradientPattern>();
-        *gradient = {axis, items.map, map};
-        pigment.gradient = std::move(gradient);
     }
     const std::optional<Change> change = is_block ? Change{} : change_of(*row, items);
     if (!items.is_known || !change || (!is_block && items.map.empty())) return;
@@ -175,7 +218,6 @@ void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optio
         pigment.missing = {"filter", "of a map of colors: it is drawn as transmit", call_place(item)};
     pigment.color = {1, 1, 1, 0, 0};
     pigment.image = make_counted<const glint::Texture>(std::move(texture));
-    pigment.map.reset();
     pigment.image_number = ++images_;
 }
 

@@ -87,7 +87,7 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
     if (object.texture) {
         own.texture = object.texture.get();
         own.texture_map = from.map;
-        if (object.texture_map && own.texture->pigment.image) {
+        if (object.texture_map && (own.texture->pigment.image || own.texture->below)) {
             texture_map = from.map ? compose(*from.map, *object.texture_map) : *object.texture_map;
             own.texture_map = &*texture_map;
         }
@@ -149,7 +149,7 @@ void SceneBuilder::place_shape(const Object& o, const Inherited& from) {
                    (o.kind == ObjectKind::torus && o.s < o.r);
     std::optional<Affine> sphere;
     const bool is_whole = own.uv_source != UvSource::unknown;  // not a part of a sphere_sweep
-    if (o.kind == ObjectKind::sphere && is_whole && own.texture->pigment.image) {
+    if (o.kind == ObjectKind::sphere && is_whole && (own.texture->pigment.image || own.texture->below)) {
         sphere = own.map ? compose(*own.map, translation(o.a)) : translation(o.a);
         own.sphere = &*sphere;
         own.uv_source = UvSource::sphere;

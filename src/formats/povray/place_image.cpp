@@ -16,13 +16,14 @@ Affine after(const Affine* outer, const Affine& inner) { return outer ? compose(
 }  // namespace
 
 // The scene's texture for a surface whose pigment has an image.
-std::uint32_t SceneBuilder::texture_of(const Inherited& own, const Token& at) {
+std::uint32_t SceneBuilder::texture_of(const Inherited& own, const Token& at, std::uint32_t over) {
     const Pigment& pigment = own.texture->pigment;
     const glint::Texture& image = *pigment.image;
     const Affine pattern = pigment.map.value_or(Affine{});
     const bool is_pattern = !image.image;
     const bool is_uv = own.is_uv || own.texture->has_own_place();
     glint::Texture texture = image;
+    texture.over = over;
     const Color& emission = own.texture->finish.emission;
     if (!(emission == Color{0, 0, 0})) texture.mix = TextureMix::multiply_all;
     if (is_uv && is_pattern) report({"uv_mapping", "of a pattern", stream_.call_place(at)});
@@ -50,9 +51,18 @@ std::uint32_t SceneBuilder::texture_of(const Inherited& own, const Token& at) {
         texture.world_from_texture = after(
             own.texture_map, compose(pattern, is_round ? k_pattern_from_round : image.world_from_texture));
     }
-    NumberTable<15>::Key key{pigment.image_number, static_cast<double>(texture.mapping),
-                             static_cast<double>(texture.mix)};
-    double* number = key.data() + 3;
+    return add_texture(std::move(texture), pigment.image_number, at);
+}
+
+// The number of a texture whose colors this number stands for; 0: of one color.
+std::uint32_t SceneBuilder::add_texture(glint::Texture texture, double image_number, const Token& at) {
+    NumberTable<20>::Key key{image_number, static_cast<double>(texture.mapping),
+                             static_cast<double>(texture.mix), texture.over + 1.0};
+    if (image_number == 0) {
+        const TextureColor& c = texture.color_map.front();
+        key[4] = c.color.r, key[5] = c.color.g, key[6] = c.color.b, key[7] = c.alpha;
+    }
+    double* number = key.data() + 8;
     for (const auto& row : texture.world_from_texture.m) number = std::copy(row, row + 4, number);
     if (const std::uint32_t* known = textures_.find(key)) return *known;
     if (!inverse(texture.world_from_texture)) {

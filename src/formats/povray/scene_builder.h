@@ -94,7 +94,19 @@ class SceneBuilder {
     void report_texture(const Inherited& own, const Token& at);
 
     // place_image.cpp
-    std::uint32_t texture_of(const Inherited& own, const Token& at);
+    std::uint32_t texture_of(const Inherited& own, const Token& at, std::uint32_t over = k_none);
+    std::uint32_t add_texture(glint::Texture texture, double image_number, const Token& at);
+
+    // layers.cpp
+    // What the layers of a texture look like together: a color, times a texture of the scene.
+    struct Look {
+        std::array<double, 5> color{};
+        std::uint32_t image = k_none;
+    };
+    Look look_of(const Inherited& own, const Token& at);
+    Look over(const Inherited& own, const Look& below, const Token& at);
+    std::uint32_t texture_of_color(const Inherited& own, const std::array<double, 5>& color,
+                                   std::uint32_t over, const Token& at);
 
     // place_lights.cpp
     void place_light(const Object& object, const Inherited& own);
@@ -175,9 +187,9 @@ class SceneBuilder {
     std::int32_t bodies_ = 0;
     CountedVector<std::uint32_t> glass_;  // shapes that refract
     Token glass_at_;                      // the last of them
-    NumberTable<34> materials_;
-    NumberTable<15> textures_;
-    NumberTable<34>::Key last_key_{};
+    NumberTable<35> materials_;
+    NumberTable<20> textures_;
+    NumberTable<35>::Key last_key_{};
     std::uint32_t last_material_ = k_none;
     bool is_last_plain_ = false;  // its shape had no warnings but those of the material
     Token last_place_token_;

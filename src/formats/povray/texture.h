@@ -49,6 +49,8 @@ struct GradientPattern {
     std::optional<Affine> transform;  ///< of the pattern
 };
 
+struct PatternSource;
+
 struct Pigment {
     std::array<double, 5> color{0, 0, 0, 0, 0};  ///< with an image: white, and its filter and transmit
     std::optional<Missing> missing;              ///< a pattern that is not rendered
@@ -57,7 +59,9 @@ struct Pigment {
     std::shared_ptr<const glint::Texture> image;
     std::optional<Affine> map;  ///< of the image's pattern, or of u and v with `uv_mapping`
     bool is_uv = false;         ///< `uv_mapping`
-    double image_number = 0;    ///< the same for the same image and map; 0: no image
+    std::shared_ptr<const PatternSource>
+        pattern{};            ///< what the text says of it, to be changed by more words
+    double image_number = 0;  ///< the same for the same image and map; 0: no image
     friend bool operator==(const Pigment& a, const Pigment& b) {
         return a.color == b.color && a.image_number == b.image_number;
     }
@@ -82,9 +86,11 @@ struct Finish {
 struct Texture {
     Pigment pigment;
     Finish finish;
-    MissingList missing;      ///< a normal, a texture map, ...
-    bool is_layered = false;  ///< below it are other textures
-    bool is_uv = false;       ///< `uv_mapping`
+    MissingList missing;                     ///< a normal, a texture map, ...
+    bool is_uv = false;                      ///< `uv_mapping`
+    std::shared_ptr<const Texture> below{};  ///< what is seen where this layer is transparent
+    int layers = 1;                          ///< with those below
+    double layers_number = 0;                ///< the same for the same layers at the same place; 0: one layer
 
     /// Whether transforms of what has the texture do not apply to it.
     bool has_own_place() const { return is_uv || pigment.is_uv; }
@@ -110,8 +116,13 @@ struct Opaque {
 
 /// The numbers of a texture that decide what its surface looks like; the pigment's red, green and blue come
 /// first.
-using TextureNumbers = std::array<double, 32>;
+using TextureNumbers = std::array<double, 33>;
 TextureNumbers numbers_of(const Texture& texture);
+/// Whether light passes the layer, or may.
+inline bool is_clear(const Texture& layer) {
+    const Pigment& p = layer.pigment;
+    return p.color[3] != 0 || p.color[4] != 0 || (p.image && p.image->has_alpha());
+}
 /// Whether something of the texture is not rendered, beyond what its numbers say.
 bool has_warnings(const Texture& texture);
 

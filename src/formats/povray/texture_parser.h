@@ -35,6 +35,17 @@ struct PatternItems {
     bool is_known = true;  ///< nothing that the engine does not draw
 };
 
+struct PatternRow;
+/// A pattern of a pigment, which one that has its name can change.
+struct PatternSource {
+    const PatternRow* row = nullptr;
+    Token at;
+    glint::Texture texture;  ///< its mapping, and the colors of `checker` and the like
+    Vec3 axis{1, 0, 0};      ///< of `gradient`
+    bool has_filter = false;
+    PatternItems items{};
+};
+
 /// The colors of a pattern of pigments or of whole textures.
 struct PatternParts {
     bool are_textures = false;
@@ -55,6 +66,9 @@ class TextureParser : public ValueParser {
     void read_finish(Finish& finish);
     MaterialValue read_material();
     std::shared_ptr<const Texture> layered(const std::shared_ptr<const Texture>& below, Texture top);
+    void transform_image(Pigment& pigment, const std::optional<Affine>& step);
+    void transform_below(Texture& texture, const std::optional<Affine>& step);
+    void add_layer(Object& object, Texture top);
     Texture& own_texture(Object& object);
     /// What #default changes.
     Texture& default_texture() { return default_texture_; }
@@ -77,13 +91,15 @@ class TextureParser : public ValueParser {
     void read_pigment_items(Pigment& pigment, char end);
     void read_texture_items(Texture& texture, char end);
     void read_texture_pattern(Texture& texture, const Token& item);
-    void transform_image(Pigment& pigment, const std::optional<Affine>& step);
     void read_image_map(Pigment& pigment, const Token& at);
     void read_image_item(const Token& at, ImageItems& items);
     std::shared_ptr<const TextureImage> open_image(const ImageItems& items, glint::Texture& texture);
     bool accept_albedo();
     void read_reflection(Finish& finish);
     void read_pattern(Pigment& pigment, const Token& item, std::optional<Affine>& map, PatternParts& parts);
+    static const PatternRow* find_pattern(std::string_view word);
+    void change_pattern(Pigment& pigment, std::optional<Affine>& map);
+    void draw_pattern(Pigment& pigment, PatternSource source, bool are_plain);
     bool read_block_colors(glint::Texture& texture, PatternParts& parts);
     std::optional<std::array<double, 5>> read_block_color(PatternParts& parts);
     void read_pattern_items(PatternItems& items, std::optional<Affine>& map, PatternParts& parts);

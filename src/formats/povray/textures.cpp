@@ -65,6 +65,10 @@ void TextureParser::read_pigment_items(Pigment& pigment, char end) {
             read_image_map(pigment, item);
             continue;
         }
+        if (item.kind == TokenKind::word && pigment.pattern && !find_pattern(text_of(item))) {
+            change_pattern(pigment, map);
+            continue;
+        }
         take();
         if (item.kind != TokenKind::word) {
             return error(item, fmt::format("expected a color or a pattern, found {}", describe(item)));
@@ -90,6 +94,7 @@ void TextureParser::read_texture_items(Texture& texture, char end) {
         const Token item = peek();
         if (std::optional<Affine> step; read_transform_item(step)) {
             if (!is_placed && !texture.pigment.is_uv) transform_image(texture.pigment, step);
+            transform_below(texture, step);
             continue;
         }
         if (accept(Word::k_uv_mapping)) {
@@ -142,11 +147,39 @@ void TextureParser::read_texture_pattern(Texture& texture, const Token& item) {
                              call_place(item)});
 }
 
-// The texture `top` over `below`.
+// The texture `top`, which may have layers itself, over `below`.
 std::shared_ptr<const Texture> TextureParser::layered(const std::shared_ptr<const Texture>& below,
                                                       Texture top) {
-    top.is_layered = below != nullptr;
+    if (below && top.layers + below->layers > k_max_texture_layers) {
+        top.missing.add({"layered textures", "more of them than 16: the lowest are left out", peek()});
+    } else if (below) {
+        top.layers += below->layers;
+        top.layers_number = ++images_;
+        top.below = top.below ? layered(below, *top.below) : below;
+    }
     return make_counted<const Texture>(std::move(top));
+}
+
+// A texture over the object's, which the transforms up to here have moved.
+void TextureParser::add_layer(Object& object, Texture top) {
+    if (object.texture && object.texture_map && is_clear(top)) {
+        Texture below = *object.texture;
+        if (!below.has_own_place()) transform_image(below.pigment, object.texture_map);
+        transform_below(below, object.texture_map);
+        object.texture = make_counted<const Texture>(std::move(below));
+    }
+    object.texture = layered(object.texture, std::move(top));
+    object.texture_map.reset();
+}
+
+// Moves the images of the layers below.
+void TextureParser::transform_below(Texture& texture, const std::optional<Affine>& step) {
+    if (!step || !texture.below) return;
+    Texture below = *texture.below;
+    if (!below.has_own_place()) transform_image(below.pigment, step);
+    transform_below(below, step);
+    texture.below = make_counted<const Texture>(std::move(below));
+    texture.layers_number = ++images_;
 }
 
 // The object's texture, to be changed: a copy of the default one if it has none.

@@ -18,6 +18,8 @@ inline std::uint32_t material_row(const WorldParts& world, SurfaceId id) {
 inline std::optional<TextureSample> surface_texture(const WorldParts& world, SurfaceId id, Vec3 point) {
     const PreparedTexture* const texture = world.texture_of(material_row(world, id));
     if (texture == nullptr) return {};
+    if (texture->over != k_none)
+        return sample_layers(*world.geometry, *world.textures, world.index_of(*texture), id, point);
     const std::optional<TexturePlace> place = texture_place(*world.geometry, *texture, id, point);
     if (!place) return {};
     return sample_texture(*texture, *place);

@@ -181,6 +181,17 @@ std::optional<TexturePlace> surface_uv(const PackedGeometry& geometry, const Pre
     return place_on(texture, transform_point(texture.texture_from_world, point));
 }
 
+// Whether all layers from this one on may be transparent.
+bool shows_behind(std::span<const Texture> textures, const Texture& front) {
+    const Texture* layer = &front;
+    for (; layer->over != k_none; layer = &textures[layer->over]) {
+        const bool may_be_missing =
+            layer->mapping == TextureMapping::uv || layer->has_wrap(TextureWrap::once);
+        if (!may_be_missing && !layer->has_alpha()) return false;
+    }
+    return layer->has_alpha();
+}
+
 }  // namespace
 
 std::vector<PreparedTexture> prepare_textures(std::span<const Texture> textures) {
@@ -190,6 +201,7 @@ std::vector<PreparedTexture> prepare_textures(std::span<const Texture> textures)
         PreparedTexture& p = prepared.emplace_back();
         static_cast<Texture&>(p) = texture;
         p.texture_from_world = inverse(texture.world_from_texture).value_or(Affine{});
+        p.shows_behind = shows_behind(textures, texture);
         if (!texture.image) {
             if (texture.encoding == TextureEncoding::srgb)
                 for (TextureColor& c : p.color_map)
@@ -271,6 +283,30 @@ std::optional<TextureSample> sample_texture(const PreparedTexture& texture, Text
     sample.color = {found.values[0], found.values[1], found.values[2]};
     sample.alpha = found.values[3];
     return sample;
+}
+
+std::optional<TextureSample> sample_layers(const PackedGeometry& geometry,
+                                           std::span<const PreparedTexture> textures, std::uint32_t front,
+                                           SurfaceId id, Vec3 point, std::vector<TextureLayer>* layers) {
+    std::optional<TextureSample> sum;
+    Color color;
+    double left = 1;
+    for (std::uint32_t i = front; i != k_none && left > 0; i = textures[i].over) {
+        const PreparedTexture& texture = textures[i];
+        std::optional<TextureSample> sample;
+        if (const auto place = texture_place(geometry, texture, id, point))
+            sample = sample_texture(texture, *place);
+        if (!sample) continue;
+        if (!sum) sum = i == front ? *sample : TextureSample{{}, {-1, -1}, {-1, -1}, 0, 0, {}, 0};
+        const double weight = left * texture.own_opacity(sample->alpha);
+        color = color + sample->color * weight;
+        left -= weight;
+        if (layers) layers->push_back({i, *sample, weight});
+    }
+    if (!sum) return sum;
+    sum->alpha = 1 - left;
+    sum->color = sum->alpha > 0 ? color * (1 / sum->alpha) : Color{};
+    return sum;
 }
 
 }  // namespace glint

@@ -19,6 +19,10 @@ using TexelValues = std::shared_ptr<const std::vector<double>>;
 struct PreparedTexture : Texture {
     Affine texture_from_world;
     TexelValues colors, alphas;  // by word
+    bool shows_behind = false;   // with `over`: whether all layers may be transparent
+
+    /// In place of that of Texture, which knows one layer.
+    bool has_alpha() const { return over == k_none ? Texture::has_alpha() : shows_behind; }
 };
 
 /// Throws std::bad_alloc.
@@ -51,5 +55,18 @@ std::optional<TexturePlace> texture_place(const PackedGeometry& geometry, const 
 
 /// The texture at a place. Nothing beside the picture, with TextureWrap::once.
 std::optional<TextureSample> sample_texture(const PreparedTexture& texture, TexturePlace place);
+
+/// A texture at a point, and what it adds.
+struct TextureLayer {
+    std::uint32_t texture;
+    TextureSample sample;
+    double weight;  ///< its opacity, times what is left of those in front
+};
+/// The sum of the layers of a texture with Texture::over at a surface's point, with the place of the front
+/// one (columns of -1 where it is not). layers: gets them from the front on; may be null.
+std::optional<TextureSample> sample_layers(const PackedGeometry& geometry,
+                                           std::span<const PreparedTexture> textures, std::uint32_t front,
+                                           SurfaceId id, Vec3 point,
+                                           std::vector<TextureLayer>* layers = nullptr);
 
 }  // namespace glint

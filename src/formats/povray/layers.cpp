@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Layered textures. Measured in POV-Ray's pictures (tests/peers/layers.py): each layer shows the part of its
+// color that its filter and transmit leave, and lets through filter times its color, and transmit, of what is
+// below it.
+#include <algorithm>
+
+#include "formats/povray/scene_builder.h"
+
+namespace glint::povray {
+namespace {
+
+double opacity_of(const std::array<double, 5>& color) {
+    return std::clamp(1 - color[3] - color[4], 0.0, 1.0);
+}
+
+}  // namespace
+
+SceneBuilder::Look SceneBuilder::look_of(const Inherited& own, const Token& at) {
+    const Texture& texture = *own.texture;
+    if (texture.below && is_clear(texture)) {
+        Inherited below = own;
+        below.texture = texture.below.get();
+        return over(own, look_of(below, at), at);
+    }
+    return {texture.pigment.color, texture.pigment.image ? texture_of(own, at) : k_none};
+}
+
+// The top layer over what those below look like.
+SceneBuilder::Look SceneBuilder::over(const Inherited& own, const Look& below, const Token& at) {
+    const Pigment& pigment = own.texture->pigment;
+    const std::array<double, 5>&top = pigment.color, &c = below.color;
+    const bool is_plain = !pigment.image && below.image == k_none;
+    const bool is_opaque = below.image == k_none && c[3] == 0 && c[4] == 0;
+    if (top[3] != 0 && !(is_plain && is_opaque))
+        report({"filter", "of a layer of a texture: it is drawn as transmit", stream_.call_place(at)});
+    const double left = opacity_of(top), seen = 1 - left;
+    if (is_plain) {
+        const double filter = is_opaque ? top[3] : 0, opacity = opacity_of(c);
+        Look look;
+        look.color[4] = seen * (1 - opacity);
+        const double sum = 1 - look.color[4];
+        for (std::size_t i = 0; i < 3 && sum > 0; ++i)
+            look.color[i] = (left * top[i] + (seen - filter + filter * top[i]) * opacity * c[i]) / sum;
+        return look;
+    }
+    const bool is_changed = pigment.image && (top[3] != 0 || top[4] != 0);
+    if (is_changed || (below.image != k_none && (c[3] != 0 || c[4] != 0)))
+        report({"filter, transmit", "of a picture that is a layer of a texture", stream_.call_place(at)});
+    const std::uint32_t lower = below.image == k_none ? texture_of_color(own, c, k_none, at) : below.image;
+    return {{1, 1, 1, 0, 0},
+            pigment.image ? texture_of(own, at, lower) : texture_of_color(own, top, lower, at)};
+}
+
+// A texture of one color.
+std::uint32_t SceneBuilder::texture_of_color(const Inherited& own, const std::array<double, 5>& color,
+                                             std::uint32_t over, const Token& at) {
+    glint::Texture texture;
+    texture.mapping = TextureMapping::planar;
+    texture.color_map = {{0, rgb_of(color), opacity_of(color)}};
+    texture.over = over;
+    if (!(own.texture->finish.emission == Color{0, 0, 0})) texture.mix = TextureMix::multiply_all;
+    return add_texture(std::move(texture), 0, at);
+}
+
+}  // namespace glint::povray

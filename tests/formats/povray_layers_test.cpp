@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// Layered textures of POV-Ray, and `over` of .glint. The stage `peers` compares their pictures with
+// POV-Ray's.
+#include "formats/povray_text.h"
+
+namespace glint::test {
+namespace {
+
+constexpr std::string_view k_rings = "texture { pigment { onion color_map { [0 rgb x] [1 rgb y] } } }";
+constexpr std::string_view k_lines = "texture { pigment { gradient x color_map { [0 rgb z] [1 rgbt 1] } } }";
+
+Result<Scene> read_layers(const std::string& textures) {
+    return read_povray("light_source { <0, 0, -9>, rgb 1 }\nsphere { 0, 1 " + textures + " }");
+}
+std::string both() { return std::string(k_rings) + std::string(k_lines); }
+
+TEST(PovrayLayers, AreTexturesOverOthers) {
+    const Result<Scene> scene = read_layers(both());
+    ASSERT_TRUE(scene) << messages(scene);
+    EXPECT_EQ(messages(scene), "");
+    ASSERT_EQ(scene->textures.size(), 2u);
+    EXPECT_EQ(scene->textures[0].mapping, TextureMapping::onion);
+    EXPECT_EQ(scene->textures[0].over, k_none);
+    EXPECT_EQ(scene->textures[1].over, 0u);
+    EXPECT_EQ(scene->materials[scene->shapes[0].material].texture, 1u);
+}
+
+TEST(PovrayLayers, OfOneColorAreOneColor) {
+    const Result<Scene> scene = read_layers(
+        "texture { pigment { rgb <0.8, 0.4, 0.2> } } texture { pigment { rgbf <0.2, 0.6, 0.8, 0.5> } }");
+    ASSERT_TRUE(scene) << messages(scene);
+    EXPECT_EQ(messages(scene), "");
+    EXPECT_TRUE(scene->textures.empty());
+    const Color color = scene->materials[scene->shapes[0].material].color;
+    EXPECT_NEAR(color.r, 0.5 * 0.2 + 0.5 * 0.2 * 0.8, 1e-12);
+    EXPECT_NEAR(color.g, 0.5 * 0.6 + 0.5 * 0.6 * 0.4, 1e-12);
+}
+
+TEST(PovrayLayers, OpaqueOnesHideThoseBelow) {
+    const Result<Scene> scene = read_layers(both() + "texture { pigment { rgb 0.5 } }");
+    ASSERT_TRUE(scene) << messages(scene);
+    EXPECT_EQ(messages(scene), "");
+    EXPECT_TRUE(scene->textures.empty());
+}
+
+TEST(PovrayLayers, WithSeveralFinishesAreWarnedOf) {
+    for (const std::string_view finish : {"phong 0.5", "reflection 0.2", "ambient 0.3"}) {
+        const std::string lower = "texture { pigment { rgb x } finish { " + std::string(finish) + " } }";
+        EXPECT_NE(messages(read_layers(lower + std::string(k_lines))).find("layered textures"),
+                  std::string::npos)
+            << finish;
+    }
+    const std::string shiny =
+        "texture { pigment { rgbt <1, 0, 0, 0.5> } finish { phong 0.5 reflection 0.2 } }";
+    EXPECT_EQ(messages(read_layers(std::string(k_rings) + shiny)), "");
+}
+
+TEST(PovrayLayers, BeyondSixteenAreLeftOut) {
+    std::string many;
+    for (int i = 0; i < 40; ++i) many += k_lines;
+    const Result<Scene> scene = read_layers(many);
+    ASSERT_TRUE(scene) << messages(scene);
+    EXPECT_NE(messages(scene).find("more of them than 16"), std::string::npos) << messages(scene);
+}
+
+TEST(PovrayLayers, NamedPatternsCanBeChanged) {
+    const Result<Scene> scene = read_layers(
+        "pigment { wood scale 2 }}\n#declare P = pigment { wood scale 2 }\n"
+        "sphere { 0, 1 pigment { P color_map { [0 rgb x] [1 rgb y] } phase 0.25 }");
+    ASSERT_TRUE(scene) << messages(scene);
+    ASSERT_EQ(scene->textures.size(), 1u);
+    const Texture& t = scene->textures[0];
+    EXPECT_EQ(t.mapping, TextureMapping::rings);
+    EXPECT_EQ(t.color_map, (std::vector<TextureColor>{{0, {1, 0, 0}}, {1, {0, 1, 0}}}));
+    EXPECT_EQ(t.world_from_texture.m[0][0], 2);
+    EXPECT_EQ(t.uv_map.m[0][2], 0.5);  // of a triangle wave
+}
+
+Result<Scene> read_over(const std::string& of_a, const std::string& of_b) {
+    const std::string map = " mapping = planar color_map = ((0, (1, 0, 0), 0.5)) ";
+    return load_text("camera { position = (0, 2, 8)  look_at = (0, 1, 0)  fov_x = 50 }\ntexture a {" + map +
+                         of_a + "}\ntexture b {" + map + of_b +
+                         "}\nsphere { center = (0, 0, 0)  radius = 1  texture = a }\n",
+                     "a.glint");
+}
+
+TEST(Layers, HaveNoCirclesAndNoMasks) {
+    const Result<Scene> good = read_over("over = b", "");
+    ASSERT_TRUE(good) << messages(good);
+    EXPECT_EQ(good->textures[good->materials[0].texture].over, 1u);
+    EXPECT_NE(messages(read_over("over = b", "over = a")).find("or a circle"), std::string::npos);
+    EXPECT_NE(messages(read_over("over = b alpha = mask", "")).find("other than mask"), std::string::npos);
+    EXPECT_NE(messages(read_over("over = c", "")).find("no texture is called"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace glint::test
