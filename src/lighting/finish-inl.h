@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The formulas of POV-Ray's finishes (measured; docs/lighting.md): brilliance, metals, and mirrors that
-// depend on the angle; and of Tachyon's outlines and Raster3D's opacity. Pure functions. Those with a power, a
-// cosine or an arc cosine are not inline: the kernels call them from many places, and few scenes use them.
+// depend on the angle; and of Tachyon's outlines and Raster3D's opacity. Pure functions. Those with a power,
+// a cosine or an arc cosine are not inline: the kernels call them from many places, and few scenes use them.
 #if defined(GLINT_LIGHTING_FINISH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_LIGHTING_FINISH_INL_H_
 #undef GLINT_LIGHTING_FINISH_INL_H_
@@ -16,7 +16,7 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 /// The factor of k_d I_l,d: (N·L)^brilliance. With a brilliance of 1, the bits of diffuse_term().
-template <class T> HWY_INLINE T brilliant_term(T n_l, T brilliance, const LightingRules& rules) {
+template <class T> HWY_NOINLINE T brilliant_term(T n_l, T brilliance, const LightingRules& rules) {
     const T cosine = diffuse_term(n_l, rules);
     return select(brilliance == T(1), cosine, highlight_power(cosine, brilliance, rules));
 }

@@ -12,6 +12,12 @@
 
 // Formulas over lanes must be inlined into code that is compiled for the lanes' instruction set.
 #define GLINT_INLINE inline __attribute__((always_inline))
+/// Of long functions: the page's files are smaller if they are called.
+#ifdef __wasm__
+#define GLINT_INLINE_IF_FAST inline __attribute__((noinline))
+#else
+#define GLINT_INLINE_IF_FAST GLINT_INLINE
+#endif
 
 namespace glint::number {
 

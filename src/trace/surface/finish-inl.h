@@ -67,8 +67,8 @@ HWY_INLINE Vector3<Doubles> highlight_tint(const MaterialLanes& material, const 
 }
 
 /// S^n of the second highlight, or 0.
-HWY_INLINE Doubles phong_power_of(const MaterialLanes& material, const FinishRules& finish,
-                                  Cosines<Doubles> phong, const LightingRules& rules) {
+inline HWY_NOINLINE Doubles phong_power_of(const MaterialLanes& material, const FinishRules& finish,
+                                           Cosines<Doubles> phong, const LightingRules& rules) {
     const Doubles zero(0);
     if (!finish.phong) return zero;
     const auto bright = has_highlight(phong, rules);
