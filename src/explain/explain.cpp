@@ -140,7 +140,7 @@ Result<Explanation> explain(const Scene& scene, const World& explained, std::int
         if (!status.ok()) return status;
         complete(scene, world, e);
         find_holes(world, e);
-        find_solid_crossings(world, *kernels, e);
+        find_solid_crossings(scene, world, *kernels, e);
         return e;
     });
 }

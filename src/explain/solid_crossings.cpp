@@ -88,10 +88,13 @@ void find_crossings_of(const PackedGeometry& geometry, const Kernels& kernels, E
 
 }  // namespace
 
-void find_solid_crossings(const WorldParts& world, const Kernels& kernels, Explanation& explanation) {
-    if (world.geometry->solids.empty()) return;
+void find_solid_crossings(const Scene& scene, const WorldParts& world, const Kernels& kernels,
+                          Explanation& explanation) {
+    if (scene.solids.empty()) return;
     for (ExplainedRay& ray : explanation.rays) {
-        if (ray.hit) find_crossings_of(*world.geometry, kernels, ray);
+        // A quadric by itself is packed as a solid, too.
+        if (ray.hit && scene.shapes[ray.hit->shape].kind == ShapeKind::solid)
+            find_crossings_of(*world.geometry, kernels, ray);
     }
 }
 

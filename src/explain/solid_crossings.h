@@ -6,7 +6,8 @@
 
 namespace glint {
 
-/// Sets ExplainedHit::crossings.
-void find_solid_crossings(const WorldParts& world, const Kernels& kernels, Explanation& explanation);
+/// Sets ExplainedHit::crossings. scene: that of the world.
+void find_solid_crossings(const Scene& scene, const WorldParts& world, const Kernels& kernels,
+                          Explanation& explanation);
 
 }  // namespace glint

@@ -7,12 +7,12 @@
 // it with glint.wasm.
 #include <cstdint>
 
+#include "explain/solid_crossings.h"
 #include "formats/csc473.h"
 #include "formats/glint_solid.h"
 #include "formats/mesh_file.h"
 #include "formats/povray/standard_includes.h"
 #include "formats/registry.h"
-#include "explain/solid_crossings.h"
 #include "glint/check.h"
 #include "glint/compare.h"
 #include "glint/diagnose.h"
@@ -54,7 +54,7 @@ PackedSolid pack_solid(const Primitives&, const PrimitiveSolid&, std::span<const
 void HWY_NAMESPACE::ShapeTests::solids_leaf(const ShapeClass&, const RayPacket&, std::uint64_t, std::uint32_t,
                                             std::uint32_t) {}
 int HWY_NAMESPACE::operand_intervals(const PackedGeometry&, std::uint32_t, Vec3, Vec3, double*) { return 0; }
-void find_solid_crossings(const WorldParts&, const Kernels&, Explanation&) {}
+void find_solid_crossings(const Scene&, const WorldParts&, const Kernels&, Explanation&) {}
 
 // No world has a fault here: only compare and diagnose make them.
 void HWY_NAMESPACE::put_faulty_hits(const WorldParts&, const RayBatch&, HitBatch&) {}

@@ -144,6 +144,16 @@ TEST(Explain, CrossingsOfSolids) {
     EXPECT_GT(crossings, 2 * hits);
 }
 
+TEST(Explain, AQuadricByItselfHasNoCrossings) {
+    Scene scene;
+    scene.add(Quadric{{1, 2, 3}, {}, {}, -1});
+    scene.solids.push_back(combine(scene, SolidOperation::merge, scene.shapes));
+    scene.camera.position = {0, 0, 5};
+    const Explanation e = explain(scene, prepare(scene).value(), 320, 240).value();
+    ASSERT_TRUE(e.rays[0].hit);
+    EXPECT_TRUE(e.rays[0].hit->crossings.empty());
+}
+
 TEST(Explain, TenThousandPixelsEqualThePicture) {
     std::mt19937 random(5);
     int pixels = 0, blocked = 0;
