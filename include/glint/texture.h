@@ -123,8 +123,9 @@ struct Texture {
     double alpha_cutoff = 0.5;  ///< 0 to 1
     /// bricks: the parts of their length, height and depth at the upper ends that are mortar, 0 to 1.
     Vec3 mortar{0.1, 0.1, 0.1};
-    /// Mappings other than uv; 0 with uv: p is moved by turbulence times the sum of gain^i noise(lacunarity^i p) for i
-    /// from 0 below octaves, component by component. A fraction of octaves is the part of its last term.
+    /// Mappings other than uv; 0 with uv: p is moved by turbulence times the sum of gain^i noise(lacunarity^i
+    /// p) for i from 0 below octaves, component by component. A fraction of octaves is the part of its last
+    /// term.
     Vec3 turbulence;
     double octaves = 6;                 ///< 0 to 10
     double gain = 0.5, lacunarity = 2;  ///< 0 to 1; > 0

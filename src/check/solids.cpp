@@ -143,7 +143,7 @@ class ExaminedSolid {
     const PackedSolid& packed_;
     std::vector<std::vector<std::size_t>> parts_;  // by step
     std::vector<bool> inside_;                     // by operand
-    std::vector<std::int8_t> neutral_;  // by operand: 0 or 1, or k_needed
+    std::vector<std::int8_t> neutral_;             // by operand: 0 or 1, or k_needed
     Extent all_;
 };
 

@@ -9,10 +9,10 @@
 
 #include <algorithm>
 
-#include "math/quadric_bounds.h"
 #include "geometry/ray-inl.h"
 #include "geometry/traits.h"
 #include "glint/shapes.h"
+#include "math/quadric_bounds.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
