@@ -336,10 +336,11 @@ def test_the_background_has_a_map_of_colors():
 
 
 def test_layers():
-    base = glint.Texture(color_map=[(0, (0, 0, 1))], mapping="planar")
-    top = glint.Texture(color_map=[(0, (1, 0, 0), 0.25)], mapping="planar", over=base)
+    base = glint.Texture(color_map=[(0, (0, 0, 1))], mapping="planar", name="base")
+    top = glint.Texture(color_map=[(0, (1, 0, 0), 0.25)], mapping="planar", over=base, name="top")
     scene = glint.Scene()
-    scene.add(glint.Sphere((0, 0, 0), 1, glint.Material(texture=top)))
+    scene.add(glint.Sphere((0, 0, 0), 1, material=glint.Material(texture=top)))
+    scene.add(glint.Light())
     assert len(scene.textures) == 2
     again = glint.loads(scene.to_glint())
     assert again.shapes[0].material.texture == top
