@@ -18,14 +18,14 @@ constexpr std::uint32_t k_points = 20000;
 constexpr std::uint64_t k_most_tests = 30'000'000;  // of a point and an operand: a second
 constexpr std::uint32_t k_seed = 0x50a1d;
 
-// Point i of those that fill a box evenly: its middle, those of its sides, then hashed ones.
+// Point i of those that fill a box evenly: its corners, the middles of its edges, sides and of itself, all a
+// little inside, then hashed ones.
 Vec3 point_in(const Bounds& box, std::uint32_t i) {
     const Vec3 size = box.max - box.min;
-    if (i < 7) {
-        Vec3 at{0.5, 0.5, 0.5};
-        const double end = i % 2 == 0 ? 0.001 : 0.999;
-        if (i > 0) (i < 3 ? at.x : i < 5 ? at.y : at.z) = end;
-        return box.min + Vec3{at.x * size.x, at.y * size.y, at.z * size.z};
+    if (i < 27) {
+        constexpr double k_places[] = {0.001, 0.5, 0.999};
+        return box.min +
+               Vec3{k_places[i % 3] * size.x, k_places[i / 3 % 3] * size.y, k_places[i / 9] * size.z};
     }
     const auto part = [&](std::uint32_t axis) { return unit_number(ray_hash(k_seed, i, axis, 0, 0)); };
     return box.min + Vec3{part(0) * size.x, part(1) * size.y, part(2) * size.z};
@@ -39,12 +39,15 @@ class ExaminedSolid {
           steps_(tree_),
           packed_(geometry_.solids[static_cast<std::size_t>(geometry_.class_of(slot).value(0, slot))]),
           inside_(tree_.operands.size()),
-          neutral_(tree_.operands.size(), k_needed) {
+          neutral_(tree_.operands.size(), k_needed),
+          is_left_out_(tree_.operands.size()) {
         for (std::size_t step = 0; step < tree_.steps.size(); ++step) parts_.push_back(steps_.parts(step));
         find_neutral(steps_.root());
         for (std::size_t operand = 0; operand < packed_.slots.size(); ++operand) {
             if (const auto box = box_of(operand)) all_.add(box->min), all_.add(box->max);
         }
+        const Vec3 half = (all_.hi - all_.lo) * 0.5;
+        room_ = {all_.lo - half, all_.hi + half};
     }
 
     /// Nothing if it has no bounded operand.
@@ -62,20 +65,23 @@ class ExaminedSolid {
     }
 
     /// Whether it can be left out of a difference, intersection or clip without a change at any point that
-    /// is tried.
+    /// is tried. It is then left out for the next ones: of two equal cuts, one is needed.
     bool cuts_nothing(std::uint32_t operand) {
         if (neutral_[operand] == k_needed) return false;
         const bool neutral = neutral_[operand] != 0;
         const auto own = box_of(operand);
-        // A point where it has an effect is inside of what is taken away, and outside of what is kept.
-        const Bounds box = own && !neutral ? *own : all();
+        // Where something taken away has an effect, it is itself; what is kept ends something else there.
+        const Bounds others = box_of_others(operand);
+        if (neutral && !(others.min.x <= others.max.x)) return false;
         for (std::uint32_t i = 0; i < k_points; ++i) {
-            look_at(point_in(box, i));
+            const Bounds& far = i % 2 == 0 ? others : room_;
+            look_at(neutral ? point_in(far, i / 2) : point_in(own ? *own : room_, i));
             if (inside_[operand] == neutral) continue;
             const bool with = holds(steps_.root());
             inside_[operand] = neutral;
             if (holds(steps_.root()) != with) return false;
         }
+        is_left_out_[operand] = true;
         return true;
     }
 
@@ -97,10 +103,15 @@ class ExaminedSolid {
         return Bounds{{lo[0][operand], lo[1][operand], lo[2][operand]},
                       {hi[0][operand], hi[1][operand], hi[2][operand]}};
     }
-    // The box of all operands with as much room beside it, for those that keep all of it.
-    Bounds all() const {
-        const Vec3 room = (all_.hi - all_.lo) * 0.5;
-        return {all_.lo - room, all_.hi + room};
+    Bounds all() const { return {all_.lo, all_.hi}; }
+    // Of all operands with a box but this one. Empty without any.
+    Bounds box_of_others(std::uint32_t operand) const {
+        Extent others;
+        for (std::size_t i = 0; i < inside_.size(); ++i) {
+            if (i == operand) continue;
+            if (const auto box = box_of(i)) others.add(box->min), others.add(box->max);
+        }
+        return {others.lo, others.hi};
     }
 
     // What an operand is as if it were not there.
@@ -121,7 +132,7 @@ class ExaminedSolid {
     }
     void look_at(Vec3 point) {
         for (std::size_t i = 0; i < inside_.size(); ++i)
-            inside_[i] = contains(geometry_, packed_.slots[i], point);
+            inside_[i] = is_left_out_[i] ? neutral_[i] != 0 : contains(geometry_, packed_.slots[i], point);
     }
     bool holds(std::size_t step) const {
         const SolidOperation operation = steps_.operation(step);
@@ -144,7 +155,9 @@ class ExaminedSolid {
     std::vector<std::vector<std::size_t>> parts_;  // by step
     std::vector<bool> inside_;                     // by operand
     std::vector<std::int8_t> neutral_;             // by operand: 0 or 1, or k_needed
+    std::vector<bool> is_left_out_;                // by operand
     Extent all_;
+    Bounds room_;  // that of all operands, with as much beside it
 };
 
 // Whether it is empty.
@@ -156,21 +169,21 @@ bool check_solid(CheckContext& context, std::uint32_t slot, const std::vector<bo
     bool is_hit = false;
     for (std::uint32_t i = 0; i < operands.size(); ++i) is_hit = is_hit || hit[solid.slot_of(i)];
     if (!is_hit && solid.is_empty()) {
-        context.report("solid-empty", context.at_shape(shape),
-                       fmt::format("{} is empty: of {} points in its box and in those of its shapes, none is "
-                                   "inside",
-                                   context.shape(shape), k_points),
-                       "correct the places of its shapes, or the operation");
+        context.report(
+            "solid-empty", context.at_shape(shape),
+            fmt::format("{} seems to be empty: of {} points in its box and in those of its shapes, none is "
+                        "inside",
+                        context.shape(shape), k_points),
+            "correct the places of its shapes, or the operation");
         return true;
     }
     for (std::uint32_t i = 0; i < operands.size(); ++i) {
         if (hit[solid.slot_of(i)] || !solid.cuts_nothing(i)) continue;
-        context.report(
-            "operand-cuts-nothing", context.at_shape(shape),
-            fmt::format(
-                "shape {} of {}, a {}, cuts nothing off: without it, none of {} points changes its side",
-                i + 1, context.shape(shape), to_string(operands[i].kind), k_points),
-            "move or enlarge it, or remove it");
+        context.report("operand-cuts-nothing", context.at_shape(shape),
+                       fmt::format("shape {} of {}, a {}, seems to cut nothing off: without it, none of {} "
+                                   "points changes its side",
+                                   i + 1, context.shape(shape), to_string(operands[i].kind), k_points),
+                       "move or enlarge it, or remove it if it is not needed");
     }
     return false;
 }
