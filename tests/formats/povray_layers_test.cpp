@@ -76,6 +76,26 @@ TEST(PovrayLayers, NamedPatternsCanBeChanged) {
     EXPECT_EQ(t.uv_map.m[0][2], 0.5);  // of a triangle wave
 }
 
+TEST(PovrayLayers, WhatPovRayKeepsOfANamedPattern) {
+    const auto said = [](std::string_view items) {
+        return messages(
+            read_layers("pigment { rgb 1 } }\n#declare Q = pigment { gradient x color_map { [0 rgb x] [1 rgb "
+                        "z] } " +
+                        std::string(items) +
+                        " }\nsphere { 0, 1 pigment { Q gradient y color_map { [0 rgb y] [1 rgb 1] } }"));
+    };
+    EXPECT_EQ(said(""), "");
+    for (const char* items : {"scale 0.37", "frequency 2", "triangle_wave"})
+        EXPECT_NE(said(items).find("`gradient` (in place of another pattern"), std::string::npos)
+            << said(items);
+}
+
+TEST(PovrayLayers, AFilterBelowIsWarnedOf) {
+    const std::string text = messages(read_layers(
+        "texture { pigment { rgbf <1, 0.5, 0.2, 0.9> } } texture { pigment { rgbt <0, 1, 0, 0.5> } }"));
+    EXPECT_NE(text.find("`filter`"), std::string::npos) << text;
+}
+
 Result<Scene> read_over(const std::string& of_a, const std::string& of_b) {
     const std::string map = " mapping = planar color_map = ((0, (1, 0, 0), 0.5)) ";
     return load_text("camera { position = (0, 2, 8)  look_at = (0, 1, 0)  fov_x = 50 }\ntexture a {" + map +

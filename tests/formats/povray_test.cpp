@@ -465,8 +465,8 @@ TEST(PovRay, HostileTextsEndWithAMessage) {
                  "#declare A = sphere { 0, 1 }\n#for (I, 1, 900) #declare A = union { object { A } } #end"),
          }) {
         const Result<Scene> result = read_povray(text, &sources);
-        EXPECT_FALSE(result) << text.substr(0, 80);
-        EXPECT_EQ(what_is_wrong(result, text), "") << text.substr(0, 80);
+        EXPECT_FALSE(result) << text.substr(0, 81);
+        EXPECT_EQ(what_is_wrong(result, text), "") << text.substr(0, 81);
     }
 }
 
@@ -476,8 +476,8 @@ TEST(PovRay, WritesNoFiles) {
         "#write(Out, \"a\", 1 + 1, <1, 2, 3>, rand(S))\n#ifdef(Out) sphere { 0, 1 } #end\n"
         "#fclose Out\n#ifdef(Out) sphere { 0, 2 } #end\n";
     EXPECT_EQ(povray_scene(write).get<Sphere>().size(), 1u);
-    EXPECT_EQ(messages(read_povray(write)).substr(0, 72),
-              "a.pov:1:30: warning: glint does not write files of a text: 'list.txt'\n  ");
+    EXPECT_EQ(messages(read_povray(write)).substr(0, 81),
+              "a.pov:1:30: warning: glint writes no files: `#write` to 'list.txt' has no effect\n");
     EXPECT_NE(messages(read_povray("#fopen In \"list.txt\" read\n")).find("1:22: error: glint does not read"),
               std::string::npos);
     EXPECT_NE(messages(read_povray("#fopen In \"list.txt\" sphere\n"))

@@ -23,7 +23,8 @@ void DirectiveParser::read_fopen() {
     }
     if (word != "write" && word != "append")
         return error(use, fmt::format("expected `read`, `write` or `append`, found {}", describe(use)));
-    warn_once("fopen", name, fmt::format("glint does not write files of a text: {}", quoted(*file)));
+    warn_once("fopen", name,
+              fmt::format("glint writes no files: `#write` to {} has no effect", quoted(*file)));
     assign(name.name, false, make_counted<const Opaque>(Opaque{Word::k_fopen, name, 1, {}}));
 }
 
@@ -41,7 +42,7 @@ void DirectiveParser::read_write() {
     if (!expect('(') || !is_file(take_raw())) return;
     begin_value();
     while (!failed() && !accept(')')) {
-        accept(',');
+        if (accept(',')) continue;
         const Token at = peek();
         const Value item = value();
         if (!failed() && !std::holds_alternative<Numbers>(item) && !std::holds_alternative<String>(item))

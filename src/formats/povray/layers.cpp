@@ -31,7 +31,7 @@ SceneBuilder::Look SceneBuilder::over(const Inherited& own, const Look& below, c
     const std::array<double, 5>&top = pigment.color, &c = below.color;
     const bool is_plain = !pigment.image && below.image == k_none;
     const bool is_opaque = below.image == k_none && c[3] == 0 && c[4] == 0;
-    if (top[3] != 0 && !(is_plain && is_opaque))
+    if (c[3] != 0 || (top[3] != 0 && !(is_plain && is_opaque)))
         report({"filter", "of a layer of a texture: it is drawn as transmit", stream_.call_place(at)});
     const double left = opacity_of(top), seen = 1 - left;
     if (is_plain) {

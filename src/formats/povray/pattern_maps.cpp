@@ -80,6 +80,7 @@ std::array<double, 5> TextureParser::color_of(const Texture& texture, PatternPar
     if (parts.first) {
         Texture recolored = texture;
         recolored.pigment = parts.first->pigment;
+        recolored.layers_number = parts.first->layers_number;
         const bool is_same = numbers_of(recolored) == numbers_of(*parts.first) &&
                              texture.finish.missing.empty() == parts.first->finish.missing.empty();
         parts.have_one_finish = parts.have_one_finish && is_same;

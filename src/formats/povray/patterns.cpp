@@ -128,7 +128,8 @@ void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optio
     const PatternRow* const row = find_pattern(text_of(item));
     pigment.missing = missing(item, text_of(item));
     pigment.missing->meaning = "a pattern";
-    // What a named pigment before it had.
+    // What a named pigment before it had, or the default one. POV-Ray keeps what is not its pattern.
+    const bool loses = pigment.map || (pigment.pattern && pigment.pattern->items.changes_u());
     pigment.gradient = nullptr;
     pigment.image = nullptr;
     pigment.image_number = 0;
@@ -160,6 +161,9 @@ void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optio
         pigment.gradient = std::move(gradient);
     }
     draw_pattern(pigment, std::move(source), parts.are_plain);
+    if (loses && !pigment.missing)
+        pigment.missing = {text_of(item), "in place of another pattern, whose transforms POV-Ray keeps",
+                           call_place(item)};
 }
 
 const PatternRow* TextureParser::find_pattern(std::string_view word) {

@@ -33,6 +33,8 @@ struct PatternItems {
     Vec3 turbulence;
     double octaves = 6, omega = 0.5, lambda = 2;
     bool is_known = true;  ///< nothing that the engine does not draw
+
+    bool changes_u() const { return frequency != 1 || phase != 0 || is_triangle || !(turbulence == Vec3{}); }
 };
 
 struct PatternRow;
