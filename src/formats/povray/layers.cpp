@@ -2,18 +2,9 @@
 // Layered textures. Measured in POV-Ray's pictures (tests/peers/layers.py): each layer shows the part of its
 // color that its filter and transmit leave, and lets through filter times its color, and transmit, of what is
 // below it.
-#include <algorithm>
-
 #include "formats/povray/scene_builder.h"
 
 namespace glint::povray {
-namespace {
-
-double opacity_of(const std::array<double, 5>& color) {
-    return std::clamp(1 - color[3] - color[4], 0.0, 1.0);
-}
-
-}  // namespace
 
 SceneBuilder::Look SceneBuilder::look_of(const Inherited& own, const Token& at) {
     const Texture& texture = *own.texture;

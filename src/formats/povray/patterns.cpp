@@ -66,10 +66,6 @@ Affine x_to(Vec3 d) {
     return {{{d.x, side.x, up.x, 0}, {d.y, side.y, up.y, 0}, {d.z, side.z, up.z, 0}}};
 }
 
-double opacity_of(const std::array<double, 5>& color) {
-    return std::clamp(1 - color[3] - color[4], 0.0, 1.0);
-}
-
 // Patterns of a few colors with sharp borders, and these colors.
 std::vector<TextureColor> block_colors(TextureMapping mapping) {
     switch (mapping) {

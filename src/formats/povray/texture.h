@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Textures as the text has them, and notes of what is not rendered.
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -118,6 +119,10 @@ struct Opaque {
 /// first.
 using TextureNumbers = std::array<double, 33>;
 TextureNumbers numbers_of(const Texture& texture);
+/// What filter and transmit leave.
+inline double opacity_of(const std::array<double, 5>& color) {
+    return std::clamp(1 - color[3] - color[4], 0.0, 1.0);
+}
 /// Whether light passes the layer, or may.
 inline bool is_clear(const Texture& layer) {
     const Pigment& p = layer.pigment;

@@ -9,17 +9,15 @@
 namespace glint {
 namespace {
 
-using namespace HWY_NAMESPACE;
-
 struct ShapeContains {
     const ShapeClass& shapes;
     std::uint32_t slot;
-    Vector3<double> point;
+    HWY_NAMESPACE::Vector3<double> point;
     bool result = false;
     template <class Geometry> void visit() {
         if constexpr (Geometry::k_crossings > 0) {
             double p[Geometry::k_values];
-            broadcast_values<Geometry::k_values>(shapes, slot, p);
+            HWY_NAMESPACE::broadcast_values<Geometry::k_values>(shapes, slot, p);
             result = Geometry::contains(p, point);
         }
     }
@@ -75,7 +73,7 @@ bool contains(const PackedGeometry& geometry, std::uint32_t slot, Vec3 point) {
     }
     if (geometry.is_open(geometry.surface_of(slot)) && shapes.kind != ShapeKind::plane) return false;
     ShapeContains test{shapes, slot, {point.x, point.y, point.z}};
-    visit_geometry(shapes.kind, shapes.transformed, test);
+    HWY_NAMESPACE::visit_geometry(shapes.kind, shapes.transformed, test);
     return test.result;
 }
 
