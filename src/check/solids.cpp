@@ -50,7 +50,7 @@ class ExaminedSolid {
         room_ = {all_.lo - half, all_.hi + half};
     }
 
-    /// Nothing if it has no bounded operand.
+    /// Whether an operand has a box.
     bool is_bounded() const { return all_.lo.x <= all_.hi.x; }
 
     bool is_empty() {

@@ -9,8 +9,7 @@
 namespace glint {
 namespace {
 
-// The parts of the coordinates within which crossings are one event (trace/hits/solids-inl.h).
-constexpr double k_event_size = 1e-9, k_event_error = 0x1p-44;
+using HWY_NAMESPACE::k_event_error, HWY_NAMESPACE::k_event_size;
 
 double largest(Vec3 v) {
     return number::max(number::abs(v.x), number::max(number::abs(v.y), number::abs(v.z)));

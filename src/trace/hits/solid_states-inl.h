@@ -19,6 +19,10 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
+/// Crossings within these parts of the coordinates of their point, and of the origin, are one event. The
+/// second covers the rounding errors of rays from far away, which are some 2^-50 of their origin.
+inline constexpr double k_event_size = 1e-9, k_event_error = 0x1p-44;
+
 /// What is known of a part of a solid at an event.
 struct SolidState {
     std::uint32_t before = 0, after = 0;  // inside

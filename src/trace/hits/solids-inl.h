@@ -23,10 +23,6 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// Crossings within these parts of the coordinates of their point, and of the origin, are one event. The
-/// second covers the rounding errors of rays from far away, which are some 2^-50 of their origin.
-inline constexpr double k_event_size = 1e-9, k_event_error = 0x1p-44;
-
 /// The crossings of a vector of rays with one operand.
 struct OperandCrossings {
     const ShapeClass& shapes;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/geometry/contains.h"
 
-#include <algorithm>
-
 #include "geometry/kinds-inl.h"
 #include "world/geometry/packed_values-inl.h"
 
