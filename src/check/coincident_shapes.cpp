@@ -7,6 +7,7 @@
 #include <map>
 #include <unordered_set>
 
+#include "base/sort_stably.h"
 #include "check/checks.h"
 #include "math/number.h"
 #include "math/transform.h"
@@ -200,8 +201,7 @@ class Coincidences {
         }
         const double least = k_min_share * static_cast<double>(rays_);
         if (static_cast<double>(all) <= least) return;
-        std::stable_sort(list.begin(), list.end(),
-                         [](const auto& a, const auto& b) { return a.first > b.first; });
+        sort_stably(list, [](const auto& a, const auto& b) { return a.first > b.first; });
         for (const auto& [pixels, pair] : list) covered[pair.earlier] = covered[pair.later] = true;
         // Of thousands of small pairs, none may be large enough by itself.
         std::size_t named = 1;

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/diagnostics.h"
+#include "base/sort_stably.h"
 #include "base/text.h"
 #include "check/visible_hits.h"
 #include "math/number.h"
@@ -167,7 +168,7 @@ bool CheckContext::is_reported(std::string_view id, SceneItem item, std::uint32_
 }
 
 std::vector<Finding> CheckContext::take() {
-    std::stable_sort(findings_.begin(), findings_.end(), [](const auto& a, const auto& b) {
+    sort_stably(findings_, [](const auto& a, const auto& b) {
         const SourcePlace &p = a.first, &q = b.first;
         if ((p.line == 0) != (q.line == 0)) return p.line != 0;
         if (p.file != q.file) return p.file < q.file;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/sort_stably.h"
 #include "compare/cause_pair.h"
 #include "compare/parameter_fit.h"
 
@@ -132,8 +133,7 @@ std::vector<CauseCandidate> candidates_after(const std::vector<CauseEffect>& eff
         }
         order.emplace_back(left, std::move(candidate));
     }
-    std::stable_sort(order.begin(), order.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    sort_stably(order, [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<CauseCandidate> best;
     std::set<std::string> known;
     for (auto& [left, candidate] : order) {
@@ -183,8 +183,7 @@ std::vector<std::pair<CauseCandidate, CauseCandidate>> likely_pairs(const std::v
                 order.push_back({sum.left, &changes[i], &changes[j], sum});
         }
     }
-    std::stable_sort(order.begin(), order.end(),
-                     [](const Likely& a, const Likely& b) { return a.left < b.left; });
+    sort_stably(order, [](const Likely& a, const Likely& b) { return a.left < b.left; });
     std::vector<std::pair<CauseCandidate, CauseCandidate>> best;
     std::set<std::pair<std::string, std::string>> known;
     const auto candidate_of = [&](const Change& c, double by) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "base/sort_stably.h"
 #include "compare/left_structure.h"
 #include "compare/step_agreement.h"
 
@@ -92,7 +93,7 @@ double rated(const CauseCandidate& candidate, double remaining, double whole) {
 
 std::vector<CauseCandidate> best_of(const Search& search, std::size_t most) {
     std::vector<CauseCandidate> list = search.found;
-    std::stable_sort(list.begin(), list.end(), [&](const CauseCandidate& a, const CauseCandidate& b) {
+    sort_stably(list, [&](const CauseCandidate& a, const CauseCandidate& b) {
         return rated(a, a.left.all, search.whole.all) < rated(b, b.left.all, search.whole.all);
     });
     std::set<std::string> names;

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "base/sort_stably.h"
 #include "compare/geometry_search.h"
 #include "compare/left_structure.h"
 #include "compare/missing_shapes.h"
@@ -158,7 +159,7 @@ std::optional<CausePair> PairSearch::with_first(const Search& search, const Caus
 void PairSearch::fit_best(Trial& trial) const {
     auto& pairs = trial.pairs;
     const auto by_rating = [](const PairCandidate& a, const PairCandidate& b) { return a.rating < b.rating; };
-    std::stable_sort(pairs.begin(), pairs.end(), by_rating);
+    sort_stably(pairs, by_rating);
     std::set<std::set<std::string>> known;
     std::erase_if(pairs, [&](const PairCandidate& p) {
         return !known.insert({row_key(p.before), row_key(p.after)}).second;
@@ -169,7 +170,7 @@ void PairSearch::fit_best(Trial& trial) const {
             fit_pair(renderer_, causes_, coarse_, trial.coarse, pair);
         pair.is_fitted = true;
     }
-    std::stable_sort(pairs.begin(), pairs.end(), by_rating);
+    sort_stably(pairs, by_rating);
 }
 
 std::optional<CausePair> PairSearch::find(const Search& search) {
@@ -193,7 +194,7 @@ std::optional<CausePair> PairSearch::find(const Search& search) {
         });
         if ((found.fitted || found.cause.name == k_shape_missing) && !is_known) firsts.push_back(found);
     }
-    std::stable_sort(firsts.begin(), firsts.end(), [&](const CauseCandidate& a, const CauseCandidate& b) {
+    sort_stably(firsts, [&](const CauseCandidate& a, const CauseCandidate& b) {
         return rated(a, a.left.all, search.whole.all) < rated(b, b.left.all, search.whole.all);
     });
     std::set<std::string> known;
@@ -225,8 +226,7 @@ std::optional<CausePair> PairSearch::find(const Search& search) {
         });
     // The best by rating, and then by what they leave.
     const auto by_left = [](const PairCandidate& a, const PairCandidate& b) { return a.left < b.left; };
-    if (pairs.size() > k_confirmed_pairs)
-        std::stable_sort(pairs.begin() + k_confirmed_pairs, pairs.end(), by_left);
+    if (pairs.size() > k_confirmed_pairs) sort_stably(std::span(pairs).subspan(k_confirmed_pairs), by_left);
     pairs.resize(std::min(pairs.size(), 2 * k_confirmed_pairs));
     return best_by_all_pixels(search, pairs);
 }
@@ -255,8 +255,7 @@ std::optional<CausePair> PairSearch::find_shifted(const Search& search) {
             pairs.push_back(std::move(pair));
         }
     }
-    std::stable_sort(pairs.begin(), pairs.end(),
-                     [](const PairCandidate& a, const PairCandidate& b) { return a.left < b.left; });
+    sort_stably(pairs, [](const PairCandidate& a, const PairCandidate& b) { return a.left < b.left; });
     pairs.resize(std::min<std::size_t>(pairs.size(), 1));
     for (PairCandidate& pair : pairs) {
         Search coarse = coarse_search(*search.target, search);

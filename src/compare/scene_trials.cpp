@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/memory_limit.h"
+#include "base/sort_stably.h"
 #include "compare/geometry_search.h"
 #include "compare/item_texts.h"
 #include "compare/missing_shapes.h"
@@ -161,8 +162,7 @@ void SceneTrials::confirm(GridSearch& small) const {
     const int tried = whole.report.tried + small.search.report.tried;
     std::vector<CauseCandidate> best = best_of(small.search, k_confirmed_trials);
     // Of candidates that leave nearly the same, the first in the table is named.
-    std::stable_sort(best.begin(), best.end(),
-                     [](const CauseCandidate& a, const CauseCandidate& b) { return a.row < b.row; });
+    sort_stably(best, [](const CauseCandidate& a, const CauseCandidate& b) { return a.row < b.row; });
     double least = HUGE_VAL;
     for (const CauseCandidate& c : best) {
         if (c.parameters <= 1) least = std::min(least, c.left.all);

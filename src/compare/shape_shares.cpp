@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "base/sort_stably.h"
 #include "trace/rays/camera_rays-inl.h"
 #include "world/prepare_camera.h"
 
@@ -68,8 +69,7 @@ std::vector<ShapeShare> shares_of_shapes(const std::vector<std::uint32_t>& shape
         if (shares.empty() || shares.back().shape != shape) shares.push_back({shape, 0});
         shares.back().share += difference / whole;
     }
-    std::stable_sort(shares.begin(), shares.end(),
-                     [](const auto& x, const auto& y) { return x.share > y.share; });
+    sort_stably(shares, [](const auto& x, const auto& y) { return x.share > y.share; });
     return shares;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "glint/diagnose.h"
+#include "base/sort_stably.h"
 
 #include <fmt/format.h>
 
@@ -278,10 +279,9 @@ class Diagnosing {
                 result_.findings.push_back(std::move(finding));
             }
         }
-        std::stable_sort(result_.findings.begin(), result_.findings.end(),
-                         [](const DiagnosisFinding& a, const DiagnosisFinding& b) {
-                             return a.first_pixels > b.first_pixels;
-                         });
+        sort_stably(result_.findings, [](const DiagnosisFinding& a, const DiagnosisFinding& b) {
+            return a.first_pixels > b.first_pixels;
+        });
     }
 
     LogModel& model_;

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "base/sort_stably.h"
 #include "base/status.h"
 #include "glint/diagnose.h"
 #include "glint/render.h"
@@ -79,9 +80,8 @@ Result<std::vector<ProposedPixel>> propose_pixels(const Scene& scene, const Worl
         // By kind, those that differ most.
         std::map<std::string, std::vector<Candidate>> candidates;
         const auto keep_largest = [](std::vector<Candidate>& list, std::size_t most) {
-            std::stable_sort(list.begin(), list.end(), [](const Candidate& a, const Candidate& b) {
-                return a.difference > b.difference;
-            });
+            sort_stably(list,
+                        [](const Candidate& a, const Candidate& b) { return a.difference > b.difference; });
             if (list.size() > most) list.resize(most);
         };
         constexpr std::size_t k_kept = 2000;
@@ -129,7 +129,7 @@ Result<std::vector<ProposedPixel>> propose_pixels(const Scene& scene, const Worl
             keep_largest(list, k_kept);
             kinds.push_back(kind);
         }
-        std::stable_sort(kinds.begin(), kinds.end(), [&](const std::string& a, const std::string& b) {
+        sort_stably(kinds, [&](const std::string& a, const std::string& b) {
             return candidates[a].front().difference > candidates[b].front().difference;
         });
         std::vector<ProposedPixel> chosen;

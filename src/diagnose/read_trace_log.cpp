@@ -7,6 +7,7 @@
 #include <iterator>
 #include <unordered_map>
 
+#include "base/sort_stably.h"
 #include "base/text.h"
 #include "diagnose/log_keys.h"
 #include "diagnose/log_line.h"
@@ -50,8 +51,7 @@ class LogReader {
             split_items(line, [](std::string_view name) { return takes_word(name); });
         // JSON does not order the members of an object.
         if (!items.empty() && line[line.find_first_not_of(" \t\r")] == '{')
-            std::stable_sort(items.begin(), items.end(),
-                             [](const LogItem& a, const LogItem& b) { return rank(a) < rank(b); });
+            sort_stably(items, [](const LogItem& a, const LogItem& b) { return rank(a) < rank(b); });
         // Its last value may be cut, too.
         if (is_cut_ && !items.empty()) {
             item_ = &items.back();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/sort_stably.h"
 #include "trace/hits/solid_states-inl.h"
 
 namespace glint {
@@ -57,7 +58,7 @@ void find_crossings_of(const PackedGeometry& geometry, const Kernels& kernels, E
             }
         }
     }
-    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.t < b.t; });
+    sort_stably(all, [](const auto& a, const auto& b) { return a.t < b.t; });
     const double error = largest(ray.origin) * k_event_error, size = largest(ray.direction);
     bool is_found = false;
     std::vector<std::uint32_t> before = states_at(intervals, -number::k_infinity);

@@ -5,6 +5,7 @@
 #include <string>
 #include <tuple>
 
+#include "base/sort_stably.h"
 #include "formats/registry.h"
 #include "formats/tokenizer.h"
 
@@ -261,8 +262,7 @@ SceneComments::SceneComments(const Scene& scene, std::span<const SceneText> text
     add_all(scene.material_texts, ItemKind::material);
     add_all(scene.texture_texts, ItemKind::texture);
     const auto order = [](const Item& i) { return std::tuple(i.place.file, i.place.line, i.place.column); };
-    std::stable_sort(items.begin(), items.end(),
-                     [&](const Item& a, const Item& b) { return order(a) < order(b); });
+    sort_stably(items, [&](const Item& a, const Item& b) { return order(a) < order(b); });
     items.erase(std::unique(items.begin(), items.end(),
                             [](const Item& a, const Item& b) { return a.place == b.place; }),
                 items.end());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Texts to one Scene: reads each text with its format's reader, applies the settings, and validates.
+#include "base/sort_stably.h"
 #include "formats/load_validated.h"
 
 #include <fmt/format.h>
@@ -205,12 +206,11 @@ class Loader {
                                          [&](const InputText& t) { return t.name == d.file; });
             return at - reading_.texts.begin();
         };
-        std::stable_sort(diagnostics.begin(), diagnostics.end(),
-                         [&](const Diagnostic& a, const Diagnostic& b) {
-                             const auto fa = file(a), fb = file(b);
-                             if (fa != fb) return fa < fb;
-                             return a.line != b.line ? a.line < b.line : a.column < b.column;
-                         });
+        sort_stably(diagnostics, [&](const Diagnostic& a, const Diagnostic& b) {
+            const auto fa = file(a), fb = file(b);
+            if (fa != fb) return fa < fb;
+            return a.line != b.line ? a.line < b.line : a.column < b.column;
+        });
     }
 
     std::span<const SceneText> texts_;

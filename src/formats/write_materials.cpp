@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 
+#include "base/sort_stably.h"
 #include "scene/material_color.h"
 #include "scene/material_fields.h"
 
@@ -68,7 +69,7 @@ void MaterialPlan::merge_unnamed(const Scene& scene) {
         written_[i] = i;
         if (named_[i] == 0) unnamed.push_back(i);
     }
-    std::stable_sort(unnamed.begin(), unnamed.end(), [&](std::uint32_t a, std::uint32_t b) {
+    sort_stably(unnamed, [&](std::uint32_t a, std::uint32_t b) {
         return less_bits(scene.materials[a], scene.materials[b]);
     });
     for (std::size_t i = 1; i < unnamed.size(); ++i) {

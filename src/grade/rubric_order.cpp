@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "grade/rubric_order.h"
+#include "base/sort_stably.h"
 
 #include <algorithm>
 #include <numeric>
@@ -14,8 +15,7 @@ std::vector<EqualRows> judging_order(const std::vector<RubricRow>& rows) {
     };
     std::vector<std::size_t> order(rows.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+    sort_stably(order, [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
     std::vector<EqualRows> groups;
     for (const std::size_t k : order) {
         const auto same = std::find_if(groups.begin(), groups.end(), [&](const EqualRows& group) {

@@ -6,6 +6,7 @@
 
 #include "base/huge_pages.h"
 #include "base/parallel_chunks.h"
+#include "base/sort_stably.h"
 #include "bvh/rays.h"
 #include "world/geometry/edit_index.h"
 #include "world/geometry/pack_mesh.h"
@@ -138,11 +139,9 @@ class Packer {
         resize_in_huge_pages(primitive_, geometry_.count, options_.threads);
         resize_in_huge_pages(slot_, leaves_.size(), options_.threads);
         for (std::size_t i = 0; i < leaves_.size(); ++i) slot_[i] = next_slot_[leaves_[i].item_class]++;
-        std::stable_sort(unbounded_.begin(), unbounded_.end(),
-                         [&](std::uint32_t a, std::uint32_t b) { return class_of(a) < class_of(b); });
+        sort_stably(unbounded_, [&](std::uint32_t a, std::uint32_t b) { return class_of(a) < class_of(b); });
         std::uint32_t slot = geometry_.count - static_cast<std::uint32_t>(operands_.size());
-        std::stable_sort(operands_.begin(), operands_.end(),
-                         [&](std::uint32_t a, std::uint32_t b) { return class_of(a) < class_of(b); });
+        sort_stably(operands_, [&](std::uint32_t a, std::uint32_t b) { return class_of(a) < class_of(b); });
         for (const std::uint32_t i : operands_) primitive_[slot++] = i;
         const std::size_t padded = geometry_.count + k_ray_padding;
         for (int a = 0; a < 3; ++a) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <numeric>
 
+#include "base/sort_stably.h"
 #include "bvh/rays.h"
 #include "bvh/splice.h"
 #include "world/geometry/edit_index.h"
@@ -119,7 +120,7 @@ class GeometrySplicer {
         }
         // At the end of a class its last old leaf comes before new ones, whose numbers are greater.
         for (auto& list : insertions_)
-            std::stable_sort(list.begin(), list.end(), [](const Insertion& a, const Insertion& b) {
+            sort_stably(list, [](const Insertion& a, const Insertion& b) {
                 return a.before != b.before ? a.before < b.before : a.leaf < b.leaf;
             });
         return true;
