@@ -6,7 +6,8 @@
 
 namespace glint {
 
-std::vector<std::uint32_t> stable_order(std::size_t count, bool (*less)(const void*, std::uint32_t, std::uint32_t),
+std::vector<std::uint32_t> stable_order(std::size_t count,
+                                        bool (*less)(const void*, std::uint32_t, std::uint32_t),
                                         const void* context) {
     std::vector<std::uint32_t> order(count);
     std::iota(order.begin(), order.end(), 0u);

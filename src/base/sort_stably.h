@@ -9,12 +9,12 @@
 namespace glint {
 
 /// 0 to count - 1, sorted stably by less(context, a, b). At most 2^32 - 1 numbers.
-std::vector<std::uint32_t> stable_order(std::size_t count, bool (*less)(const void*, std::uint32_t, std::uint32_t),
+std::vector<std::uint32_t> stable_order(std::size_t count,
+                                        bool (*less)(const void*, std::uint32_t, std::uint32_t),
                                         const void* context);
 
 /// Puts item order[i] at i. `order` becomes 0, 1, 2...
-template <class T>
-void move_to_order(std::span<T> items, std::uint32_t* order) {
+template <class T> void move_to_order(std::span<T> items, std::uint32_t* order) {
     for (std::uint32_t first = 0; first < items.size(); ++first) {
         if (order[first] == first) continue;
         T moved = std::move(items[first]);
@@ -27,8 +27,7 @@ void move_to_order(std::span<T> items, std::uint32_t* order) {
 
 /// Sorts as std::stable_sort does. All types of items share one sort, of their numbers: each std::stable_sort
 /// takes 2 kB of the browser's build, this 0.3.
-template <class Items, class Less>
-void sort_stably(Items&& items, const Less& less) {
+template <class Items, class Less> void sort_stably(Items&& items, const Less& less) {
     const std::span all(items);
     const auto less_at = [&](std::uint32_t a, std::uint32_t b) { return less(all[a], all[b]); };
     std::vector<std::uint32_t> order = stable_order(

@@ -142,7 +142,9 @@ class Tree {
             text_.line(depth + 1, fmt::format("the surface of its operand {} of {}, a {}", hit.element + 1,
                                               operands.size(), to_string(operands[hit.element].kind)));
         add_crossings(hit, depth + 2);
-        if (hit.texture) text_.line(depth + 1, texture_text(scene_, *hit.texture));
+        if (hit.texture) {
+            for (const std::string& line : texture_lines(scene_, *hit.texture)) text_.line(depth + 1, line);
+        }
         text_.line(depth + 1, material_text(scene_, hit));
         const Shading shading = scene_.settings.shading;
         if (shading == Shading::color || shading == Shading::normals) {

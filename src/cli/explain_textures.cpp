@@ -51,24 +51,23 @@ std::string sample_text(const Scene& scene, const ExplainedTexture& t) {
     return text;
 }
 
-std::string layers_text(const Scene& scene, const ExplainedTexture& t) {
-    std::string text = texture_item_text(scene, t.texture) + " and what it is over: ";
-    for (const ExplainedTexture& layer : t.layers)
-        text += fmt::format("{}{} of {}, color {}", &layer == &t.layers.front() ? "" : "; ",
-                            number(layer.weight), sample_text(scene, layer), color(layer.color));
-    return text + "; together";
-}
-
 }  // namespace
 
-std::string texture_text(const Scene& scene, const ExplainedTexture& t) {
+std::vector<std::string> texture_lines(const Scene& scene, const ExplainedTexture& t) {
     const Texture& texture = scene.textures[t.texture];
-    std::string text = t.layers.empty() ? sample_text(scene, t) + "," : layers_text(scene, t);
-    text += fmt::format(" color {}", color(t.color));
+    std::string text =
+        t.layers.empty() ? sample_text(scene, t) : texture_item_text(scene, t.texture) + " over others";
+    text += fmt::format(", color {}", color(t.color));
     if (t.alpha != 1) text += fmt::format(", alpha {}", number(t.alpha));
-    return text + (texture.mix == TextureMix::multiply  ? ", which multiplies color, k_a and k_d"
-                   : texture.mix == TextureMix::replace ? ", which replaces the color"
-                                                        : ", which multiplies color, k_a, k_d and k_e");
+    text += texture.mix == TextureMix::multiply  ? ", which multiplies color, k_a and k_d"
+            : texture.mix == TextureMix::replace ? ", which replaces the color"
+                                                 : ", which multiplies color, k_a, k_d and k_e";
+    if (!t.layers.empty()) text += "; the sum of";
+    std::vector<std::string> lines{text};
+    for (const ExplainedTexture& layer : t.layers)
+        lines.push_back(fmt::format("  {} of {}, color {}", number(layer.weight), sample_text(scene, layer),
+                                    color(layer.color)));
+    return lines;
 }
 
 std::vector<std::string> hole_lines(const Scene& scene, const ExplainedRay& ray) {

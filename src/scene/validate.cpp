@@ -305,6 +305,7 @@ class Validator {
         int layers = 1;
         for (std::uint32_t below = i; (below = scene_.textures[below].over) != k_none;) {
             if (below >= scene_.textures.size()) return error(place, of + ": over: no such texture");
+            if (below == i) return error(place, of + ": over: the texture is over itself");
             if (++layers > k_max_texture_layers)
                 return error(place,
                              fmt::format("{}: over: expected at most {} layers, found more, or a circle", of,

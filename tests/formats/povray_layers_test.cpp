@@ -108,7 +108,8 @@ TEST(Layers, HaveNoCirclesAndNoMasks) {
     const Result<Scene> good = read_over("over = b", "");
     ASSERT_TRUE(good) << messages(good);
     EXPECT_EQ(good->textures[good->materials[0].texture].over, 1u);
-    EXPECT_NE(messages(read_over("over = b", "over = a")).find("or a circle"), std::string::npos);
+    EXPECT_NE(messages(read_over("over = b", "over = a")).find("over: the texture is over itself"),
+              std::string::npos);
     EXPECT_NE(messages(read_over("over = b alpha = mask", "")).find("other than mask"), std::string::npos);
     EXPECT_NE(messages(read_over("over = c", "")).find("no texture is called"), std::string::npos);
 }

@@ -19,7 +19,7 @@ Float3 stored_normal(Vec3 v) {
 
 }  // namespace
 
-// mesh { triangles, modifiers }
+// mesh { triangles [inside_vector] modifiers }
 Object ObjectParser::read_mesh(const Token& word) {
     Object object;
     object.kind = ObjectKind::mesh;
@@ -30,6 +30,7 @@ Object ObjectParser::read_mesh(const Token& word) {
     while (!failed() && (peek().word() == Word::k_triangle || peek().word() == Word::k_smooth_triangle)) {
         read_mesh_triangle(*mesh);
     }
+    if (accept(Word::k_inside_vector)) vector();
     object.mesh = std::move(mesh);
     read_modifiers(object);
     return object;
