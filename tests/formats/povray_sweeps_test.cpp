@@ -140,14 +140,50 @@ TEST(PovRaySphereSweeps, TransparentOnesAndOperandsAreOneSolid) {
     }
 }
 
+TEST(PovRayPrisms, CurvesAreNearlyStraightPieces) {
+    const std::pair<std::string, double> areas[] = {
+        // y = (t - t^2) / 2 over x = (t^2 + 3 t) / 2, and back on the x axis.
+        {"quadratic_spline 0, 1, 4, <-1, -1>, <0, 0>, <2, 0>, <0, 0>", 1.0 / 6},
+        // A square with y = t - t^2 over x = t + 3 t^2 - 2 t^3 at each side.
+        {"cubic_spline 0, 1, 7, <0, 2>, <0, 0>, <2, 0>, <2, 2>, <0, 2>, <0, 0>, <2, 0>",
+         4 + 4 * (1.0 / 6 + 6.0 / 30)},
+        {"bezier_spline 0, 1, 8, <0, 0>, <1, 2>, <2, 2>, <3, 0>, <3, 0>, <2, 0>, <1, 0>, <0, 0>", 3}};
+    for (const auto& [text, area] : areas) {
+        const Scene scene = povray_scene("prism { " + text + " }");
+        EXPECT_NEAR(area_across(prism_mesh(scene), {0, 1, 0}), 2 * area, 1e-4) << text;
+    }
+}
+
+TEST(PovRayLathes, CurvesAreConesThatTurnByLittle) {
+    // A quarter of a circle, nearly.
+    const Scene scene =
+        povray_scene("lathe { bezier_spline 4, <1, 0>, <1, 0.5523>, <0.5523, 1>, <0, 1> sturm }");
+    const auto& cones = scene.get<Cone>();
+    EXPECT_GT(cones.size(), 200u);
+    EXPECT_LT(cones.size(), 1000u);
+    for (const Cone& cone : cones) {
+        EXPECT_NEAR(length(Vec3{cone.from_radius, cone.from.y, 0}), 1, 3e-4);
+        EXPECT_FALSE(cone.caps);
+    }
+    // The first point, and of cubic ones the last, are not on the curve.
+    for (const std::string text :
+         {"quadratic_spline 3, <9, 9>, <1, 0>, <1, 2>", "cubic_spline 4, <1, -2>, <1, 0>, <1, 2>, <1, 4>"}) {
+        const Scene one = povray_scene("lathe { " + text + " }");
+        EXPECT_EQ(one.get<Cone>().size() + one.get<Cylinder>().size(), one.shapes.size()) << text;
+        EXPECT_FALSE(one.shapes.empty());
+    }
+}
+
 TEST(PovRaySweeps, OtherSplinesAndPartsOfSolidsAreRefusedByName) {
     const std::pair<std::string, std::string> refused[] = {
         {"prism { cubic_spline 0, 1, 6, <0, 0>, <1, 0>, <1, 1>, <0, 1>, <0, 0>, <1, 0> pigment { rgb 1 } }",
-         "2:9: error: glint does not render `cubic_spline` (prism)"},
-        {"prism { conic_sweep bezier_spline 0, 1, 4, <0, 0>, <1, 0>, <1, 1>, <0, 0> }",
-         "2:21: error: glint does not render `bezier_spline` (prism)"},
-        {"lathe { quadratic_spline 3, <0, 0>, <1, 0>, <1, 1> }",
-         "2:9: error: glint does not render `quadratic_spline` (lathe)"},
+         "2:1: error: glint does not render `prism` (whose curve is not closed)"},
+        {"prism { conic_sweep bezier_spline 0, 1, 4, <0, 0>, <1, 0>, <1, 1>, <0.1, 0> }",
+         "2:1: error: glint does not render `prism` (whose curve is not closed)"},
+        {"prism { linear_sweep natural_spline 0, 1, 4, <0, 0>, <1, 0>, <1, 1>, <0.1, 0> }",
+         "2:22: error: glint does not render `natural_spline` (prism)"},
+        {"sphere_sweep { cubic_spline 4, 0, 1, x, 1, 2*x, 1, 3*x, 1 }",
+         "2:16: error: glint does not render `cubic_spline` (sphere_sweep)"},
         {"sphere_sweep { b_spline 4, 0, 1, x, 1, 2*x, 1, 3*x, 1 tolerance 0.1 }",
          "2:16: error: glint does not render `b_spline` (sphere_sweep)"},
         {"difference { box { -1, 1 } prism { 0, 1, 5, " + k_prism_square + " } }",
@@ -176,6 +212,14 @@ TEST(PovRaySweeps, BadInputIsNamed) {
     expect_messages({"few",
                      "sphere_sweep { linear_spline $1, 0, 1 }",
                      {"expected at least two spheres of a sphere_sweep"}},
+                    "a.pov", "povray");
+    expect_messages({"cubic",
+                     "lathe { cubic_spline $3, <0, 0>, <1, 1>, <2, 1> }",
+                     {"expected at least 4 points of a cubic spline"}},
+                    "a.pov", "povray");
+    expect_messages({"four",
+                     "lathe { bezier_spline $5, <0, 0>, <1, 1>, <2, 1>, <2, 2>, <2, 2> }",
+                     {"expected four points for each curve of a bezier spline"}},
                     "a.pov", "povray");
     expect_messages({"three", "lathe { 2, $<0, 0, 1>, <1, 0> }", {"expected a vector of two numbers"}},
                     "a.pov", "povray");

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""prism, lathe and sphere_sweep with linear splines, and polygons with holes."""
+"""prism and lathe, sphere_sweep with linear splines, and polygons with holes."""
 from pov import CAMERA, FLOOR, LIGHT, SHINE, rule
 
 HEAD = "#version 3.7;\nglobal_settings { assumed_gamma 1 max_trace_level 12 }\n"
@@ -17,6 +17,14 @@ ISLAND = SQUARE + ", <-0.7, -0.7>, <0.7, -0.7>, <0.7, 0.7>, <-0.7, 0.7>, <-0.7, 
 CROSSING = SQUARE + ", <-0.5, -0.2>, <1.5, -0.4>, <1.2, 0.6>, <-0.5, 0.4>, <-0.5, -0.2>, <1, -1>, <1, -0.5>, <0.6, -0.5>, <0.6, -1>, <1, -1>"
 VASE = "7, <0, 0>, <0.6, 0>, <0.9, 0.5>, <0.9, 0.8>, <0.3, 1.3>, <0.7, 1.7>, <0.5, 1.7>"
 SPHERES = "4, <-1.2, 0.4, 0>, 0.4, <-0.3, 1.5, 0.4>, 0.2, <0.5, 0.6, -0.4>, 0.5, <1.4, 1, 0>, 0.1"
+
+# The first points, and of cubic ones also the last, are not drawn.
+LEAF = "<-0.3, 0.9>, <-0.9, -0.8>, <0.9, -0.9>, <0.3, 0.2>, <0.8, 0.8>, <-0.5, 0.7>, <-0.9, -0.8>"
+LEAF_HOLE = ", <0.1, 0.3>, <-0.4, -0.4>, <0.3, -0.5>, <0, 0.1>, <-0.4, -0.4>"
+CUBIC = LEAF + ", <1, -1>" + LEAF_HOLE + ", <0.5, 0>"
+ROUND = "<0.9, 0>, <0.9, 0.7>, <0.4, 0.9>, <0, 0.9>, <0, 0.9>, <-1.5, 0.9>, <-0.9, -0.9>, <0, -0.9>, <0, -0.9>, <0.5, -0.9>, <0.9, -0.5>, <0.9, 0>"
+ROUND_HOLE = ", <0.3, 0>, <0.3, 0.8>, <-0.6, 0.3>, <-0.3, 0>, <-0.3, 0>, <-0.3, -0.4>, <0.3, -0.4>, <0.3, 0>"
+BOWL = "<0, 0>, <0.9, 0>, <0.9, 0.4>, <0.3, 0.8>, <0.3, 0.8>, <0, 1>, <0.4, 1.4>, <0.8, 1.5>"
 
 
 def sweeps(name, objects, camera=CAMERA, light=LIGHT):
@@ -73,6 +81,23 @@ RULES = [
     sweeps("lathe_shadow", lathe(VASE, BLUE + " scale <1.2, 0.8, 0.6> rotate 40*z"), light=SIDE_LIGHTS),
     sweeps("lathe_mirrored", lathe(VASE, MIRROR)),
     sweeps("lathe_from_inside", lathe("4, <0, 0>, <3, 0>, <4, 2>, <1, 4>"), camera="camera { location <0, 1, -2.5> look_at <0, 0.8, 0> angle 80 }\n", light="light_source { <0, 1.5, -1>, rgb 1 }\n"),
+    sweeps("prism_quadratic", prism(LEAF, words="quadratic_spline")),
+    sweeps("prism_quadratic_holes", prism(LEAF + LEAF_HOLE, words="quadratic_spline")),
+    sweeps("prism_cubic", prism(CUBIC, words="linear_sweep cubic_spline")),
+    sweeps("prism_cubic_open", prism(CUBIC, words="cubic_spline", end="open", items=SHINE + " rotate <-60, 35, 0> translate 0.8*y")),
+    sweeps("prism_cubic_conic", prism(CUBIC, "0.4, 1.3", "conic_sweep cubic_spline", items=SHINE + " rotate 200*x translate 1.2*y")),
+    sweeps("prism_bezier", prism(ROUND + ROUND_HOLE, words="bezier_spline")),
+    sweeps("prism_bezier_conic", prism(ROUND, "-0.8, 1", "bezier_spline conic_sweep", items=SHINE + " scale 0.8 rotate <-20, 30, 20> translate 0.8*y")),
+    sweeps("prism_bezier_mirrored", prism(ROUND + ROUND_HOLE, items=MIRROR + " rotate <-60, 20, 0> translate y", words="bezier_spline")),
+    sweeps("prism_bezier_clear", prism(ROUND + ROUND_HOLE, items=CLEAR + " sturm " + TURN, words="bezier_spline")),
+    sweeps("lathe_quadratic", lathe(VASE, words="quadratic_spline")),
+    sweeps("lathe_cubic", lathe(VASE, words="cubic_spline")),
+    sweeps("lathe_cubic_from_above", lathe(VASE, SHINE + " sturm rotate -60*x translate 0.5*y", "cubic_spline")),
+    sweeps("lathe_bezier", lathe("8, " + BOWL, words="bezier_spline")),
+    sweeps("lathe_bezier_apart", lathe("8, " + BOWL.replace("<0.3, 0.8>, <0, 1>", "<0.6, 0.7>, <0, 1>"), words="bezier_spline")),
+    sweeps("lathe_bezier_mirrored", lathe("8, " + BOWL, MIRROR, "bezier_spline")),
+    sweeps("lathe_cubic_clear", lathe(VASE, CLEAR, "cubic_spline")),
+    sweeps("lathe_cubic_shadow", lathe(VASE, BLUE + " scale <1.2, 0.8, 0.6> rotate 40*z", "cubic_spline"), light=SIDE_LIGHTS),
     sweeps("spheres", sweep()),
     sweeps("spheres_equal", sweep("3, <-1, 0.3, 0>, 0.3, <0, 1.4, 0>, 0.3, <1, 0.3, 0.5>, 0.3")),
     sweeps("spheres_within", sweep("3, <-0.5, 0.8, 0>, 0.9, <-0.3, 0.9, -0.1>, 0.4, <1.3, 0.8, 0>, 0.3")),

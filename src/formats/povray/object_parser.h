@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/povray/even_odd.h"
+#include "formats/povray/curves.h"
 #include "formats/povray/number_list.h"
 #include "formats/povray/texture_parser.h"
 
@@ -85,8 +85,8 @@ class ObjectParser : public TextureParser {
 
     // prisms.cpp
     Object read_prism(const Token& word);
-    bool read_spline(Object& object);
-    void read_flat_points(std::size_t least, FlatLoop& points);
+    bool read_spline(Object& object, Spline& spline, std::size_t curves);
+    void read_flat_points(std::size_t least, Spline spline, FlatLoop& points);
 
     // sweeps.cpp
     Object read_lathe(const Token& word);

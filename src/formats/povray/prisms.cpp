@@ -51,49 +51,80 @@ class PrismMesh {
     bool is_conic_;
 };
 
-CountedVector<FlatLoop> loops_of(const FlatLoop& points) {
+bool is_same(FlatPoint a, FlatPoint b) {
+    return is_same_coordinate(a.x, b.x) && is_same_coordinate(a.y, b.y);
+}
+
+// The end of the points of the closed line that begins with points[first]: the first point of its curve, when
+// it comes again, ends the curve. A bezier spline's ends where the next curve begins elsewhere.
+std::size_t end_of_line(const FlatLoop& points, std::size_t first, Spline spline) {
+    if (spline == Spline::bezier) {
+        for (first += 4; first < points.size() && is_same(points[first], points[first - 1]);) first += 4;
+        return std::min(first, points.size());
+    }
+    const std::size_t begin = first + (spline == Spline::linear ? 0 : 1);
+    for (std::size_t i = begin + 1; i < points.size(); ++i) {
+        if (is_same(points[i], points[begin]))
+            return std::min(i + (spline == Spline::cubic ? 2 : 1), points.size());
+    }
+    return points.size();
+}
+
+// Empty if a curve is not closed: an error for POV-Ray, or nothing is drawn.
+CountedVector<FlatLoop> loops_of(const FlatLoop& points, Spline spline,
+                                 const std::function<bool(std::uint64_t)>& spend) {
     CountedVector<FlatLoop> loops;
-    for_each_loop(
-        points,
-        [](FlatPoint a, FlatPoint b) { return is_same_coordinate(a.x, b.x) && is_same_coordinate(a.y, b.y); },
-        [&](std::size_t first, std::size_t end) {
-            const auto begin = points.begin();
-            if (end - first >= 2)
-                loops.push_back(FlatLoop(begin + static_cast<std::ptrdiff_t>(first),
-                                         begin + static_cast<std::ptrdiff_t>(end)));
-        });
+    for (std::size_t first = 0; first + 1 < points.size();) {
+        const std::size_t end = end_of_line(points, first, spline);
+        FlatLoop loop;
+        add_curve(points, first, end, spline, spend, loop);
+        if (loop.size() > 1 && is_same(loop.back(), loop.front())) {
+            loop.pop_back();
+        } else if (spline != Spline::linear) {
+            return {};
+        }
+        if (loop.size() >= 2) loops.push_back(std::move(loop));
+        first = end;
+    }
     return loops;
 }
 
 }  // namespace
 
-// The words before the numbers of a prism or lathe. False if the spline is not linear: the object is refused,
-// and its block read over.
-bool ObjectParser::read_spline(Object& object) {
+// The words before the numbers of a prism or lathe. If the spline is refused, so is the object, and its block
+// is read over.
+bool ObjectParser::read_spline(Object& object, Spline& spline, std::size_t curves) {
+    static constexpr std::string_view k_names[] = {"linear_spline", "quadratic_spline", "cubic_spline",
+                                                   "bezier_spline", "b_spline",         "natural_spline"};
     const Token word = peek();
-    const std::string_view name = word.kind == TokenKind::word ? text_of(word) : "";
-    if (name == "linear_spline") {
+    if (word.kind != TokenKind::word) return false;
+    const auto* const name = std::find(std::begin(k_names), std::end(k_names), text_of(word));
+    if (name == std::end(k_names)) return false;
+    const auto number = static_cast<std::size_t>(name - k_names);
+    spline = Spline::refused;
+    if (number < curves) {
         take();
+        spline = static_cast<Spline>(number);
         return true;
     }
-    for (const std::string_view other :
-         {"quadratic_spline", "cubic_spline", "bezier_spline", "b_spline", "natural_spline"}) {
-        if (name != other) continue;
-        object.kind = ObjectKind::refused;
-        object.missing.add({other, object.stands_for, call_place(word), true});
-        skip_rest();
-        expect('}');
-        return false;
-    }
-    return true;
+    object.kind = ObjectKind::refused;
+    object.missing.add({*name, object.stands_for, call_place(word), true});
+    skip_rest();
+    expect('}');
+    return false;
 }
 
 // number, points of two coordinates
-void ObjectParser::read_flat_points(std::size_t least, FlatLoop& points) {
+void ObjectParser::read_flat_points(std::size_t least, Spline spline, FlatLoop& points) {
+    static constexpr std::string_view k_kinds[] = {"linear", "quadratic", "cubic", "bezier"};
+    if (spline != Spline::linear) least = spline == Spline::quadratic ? 3 : 4;
     const Token count_at = peek();
     const std::size_t count = read_count();
     if (!failed() && count < least)
-        error(count_at, fmt::format("expected at least {} points of a linear spline", least));
+        error(count_at, fmt::format("expected at least {} points of a {} spline", least,
+                                    k_kinds[static_cast<std::size_t>(spline)]));
+    if (!failed() && spline == Spline::bezier && count % 4 != 0)
+        error(count_at, "expected four points for each curve of a bezier spline");
     for (std::size_t i = 0; i < count && !failed(); ++i) {
         const Token at = peek();
         const Numbers point = promoted(expression(), 2);
@@ -112,6 +143,7 @@ Object ObjectParser::read_prism(const Token& word) {
     if (!expect('{')) return object;
     if (begins_declared(peek()) && begins_object(peek())) return read_copy();
     bool is_conic = false;
+    Spline spline = Spline::linear;
     for (Token item = peek(); !failed() && item.kind == TokenKind::word; item = peek()) {
         const std::string_view name = text_of(item);
         if (name == "linear_sweep" || name == "conic_sweep") {
@@ -119,22 +151,27 @@ Object ObjectParser::read_prism(const Token& word) {
             is_conic = name == "conic_sweep";
             continue;
         }
-        if (!read_spline(object)) return object;
-        if (name != "linear_spline") break;
+        if (!read_spline(object, spline, 4)) break;
     }
+    if (spline == Spline::refused) return object;
     const double first = number();
     accept(',');
     const double second = number();
     accept(',');
     FlatLoop points;
-    read_flat_points(3, points);
+    read_flat_points(3, spline, points);
     const bool is_open = accept(Word::k_open);
     if (failed()) return object;
-    const CountedVector<FlatLoop> loops = loops_of(points);
+    const auto spend_on = [&](std::uint64_t n) { return spend(n); };
+    CountedVector<FlatLoop> loops;
     CountedVector<FlatTriangle> cap;
-    const bool is_filled = points.size() <= k_max_loop_points &&
-                           (is_open || fill_even_odd(
-                                           loops, [&](std::uint64_t n) { return spend(n); }, cap));
+    bool is_filled = points.size() <= k_max_loop_points;
+    if (is_filled) {
+        loops = loops_of(points, spline, spend_on);
+        if (loops.empty() && spline != Spline::linear && !failed())
+            object.missing.add({"prism", "whose curve is not closed", call_place(word), true});
+        is_filled = is_open || fill_even_odd(loops, spend_on, cap);
+    }
     if (failed()) return object;
     auto mesh = make_counted<ReadMesh>();
     if (is_filled) {

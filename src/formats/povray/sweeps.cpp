@@ -77,16 +77,26 @@ Object ObjectParser::read_lathe(const Token& word) {
     object.stands_for = "lathe";
     if (!expect('{')) return object;
     if (begins_declared(peek()) && begins_object(peek())) return read_copy();
-    if (!read_spline(object)) return object;
-    FlatLoop points;
-    read_flat_points(2, points);
+    Spline spline = Spline::linear;
+    read_spline(object, spline, 4);
+    if (spline == Spline::refused) return object;
+    FlatLoop given;
+    read_flat_points(2, spline, given);
     if (failed()) return object;
     PartList parts(word);
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) add_turned_segment(points[i], points[i + 1], parts);
+    bool is_below = false;
+    // Curves of a bezier spline need not meet.
+    const std::size_t step = spline == Spline::bezier ? 4 : given.size();
+    for (std::size_t first = 0; first < given.size(); first += step) {
+        FlatLoop points;
+        add_curve(
+            given, first, first + step, spline, [&](std::uint64_t n) { return spend(n); }, points);
+        for (std::size_t i = 0; i + 1 < points.size() && !failed(); ++i)
+            add_turned_segment(points[i], points[i + 1], parts);
+        for (const FlatPoint& p : points) is_below |= p.x < -k_rounded;
+    }
     parts.move_to(object);
     // POV-Ray draws parts of it (measured).
-    const bool is_below =
-        std::any_of(points.begin(), points.end(), [](const FlatPoint& p) { return p.x < -k_rounded; });
     if (is_below) object.missing.add({"lathe", "with a radius below 0", call_place(word), true});
     read_modifiers(object);
     return object;
@@ -100,7 +110,9 @@ Object ObjectParser::read_sphere_sweep(const Token& word) {
     object.is_merge = true;
     if (!expect('{')) return object;
     if (begins_declared(peek()) && begins_object(peek())) return read_copy();
-    if (!read_spline(object)) return object;
+    Spline spline = Spline::linear;
+    read_spline(object, spline, 1);
+    if (spline == Spline::refused) return object;
     accept(',');
     const Token count_at = peek();
     const std::size_t count = read_count();
