@@ -49,7 +49,7 @@ constexpr Meaning k_meanings[] = {
      " angle aperture blur_samples confidence direction fisheye focal_point omnimax orthographic panoramic "
      "perspective sky ultra_wide_angle variance "},
     {"a map", " matrix transform "},
-    {"a function", " inside max_extent min_extent trace vturbulence "},
+    {"a function", " vturbulence "},
 };
 
 constexpr std::string_view k_directives[] = {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // min_extent() and max_extent(): the boxes that POV-Ray 3.7 says (measured).
 #include "formats/povray_text.h"
+#include "math/transform.h"
 
 namespace glint::test {
 namespace {

@@ -5,6 +5,7 @@
 #include "formats/mistakes.h"
 #include "formats/povray_text.h"
 #include "math/number.h"
+#include "math/transform.h"
 
 namespace glint::test {
 namespace {

@@ -109,6 +109,14 @@ RULES = [
         ("6, <-1, -1>, <1, -1>, <0.2, 0>, <1, 1>, <-1, 1>, <-1, -1>", 30, "<-1.4, 0.6, 0>"), ("4, <0, 0>, <1, 0>, <1.3, 1>, <0.2, 1.2>", -40, "<0.4, 1, 0>"),
         ("8, <0, 0>, <0.6, 0>, <0.3, 0.7>, <0, 0>, <0.8, 0>, <1.4, 0>, <1.1, 0.7>, <0.8, 0>", 10, "<0.2, 0, -0.5>"),
         ("5, <-2, 2, 0>, <2, 2, 0>, <2, 0, 0.001>, <-2, 0, 0>, <-2, 2, 0>", 0, "z")))),
+    rule("trace", "#declare O = union { difference { box { -1, 1 rotate 30*y } sphere { -z, 0.8 } } torus { 1.3, 0.3 rotate 20*x translate 0.5*y } "
+         "triangle { <-2, 0, 1>, <2, 0, 1>, <0, 2, 1> } quadric { <1, 2, 1>, 0, 0, -0.4 translate <1.5, 0, 0> } "
+         "prism { bezier_spline 0, 0.5, 4, <-2, 0>, <-1, 3>, <-1, -3>, <-2, 0> } sphere { 0, 0.5 scale <1, 2, 0.7> translate -1.5*x } } #declare N = y;\n" + FLOOR +
+         "#for (I, 0, 799) #declare P = trace(O, <0, 1.013, -4>, <mod(I, 40)/16 - 1.25, div(I, 40)/16 - 0.75, 1.3>, N);\n"
+         "#if (vlength(N) > 0) sphere { P + 0.1*N, 0.05 pigment { rgb (N + 1)/2 } finish { ambient 0.5 } } #end #end\n"),
+    rule("inside", "#declare O = difference { union { box { -1, 1 rotate 30*y } cone { 0, 1.5, 2*y, 0.2 } torus { 1.5, 0.4 } } sphere { -z, 0.8 scale <1, 2, 1> } "
+         "cylinder { -2*x, 2*x, 0.3 } quadric { <1, 1, 0>, 0, 0, -0.02 } plane { y, -0.6 } rotate <20, 10, 0> }\n" + FLOOR +
+         "#for (X, -2, 2, 0.2) #for (Y, -1, 2, 0.2) #for (Z, -1, 1, 0.23) #if (inside(O, <X, Y, Z> + 0.013)) sphere { <X, Y, Z>, 0.08 pigment { rgb <X, Y, Z>/2 + 0.5 } } #end #end #end #end\n"),
     # Spellings that POV-Ray takes beside those of its documentation.
     rule("spellings", "declare P = pigment { rgb <0.9, 0.3, 0.2> }\n#declare B = sphere { 0, 0.7 texture { P finish { phong 0.5 } } }\n"
          "#declare M = mesh2 { vertex_vectors { 3, <-2, 0, 1>, <0, 2, 1>, <2, 0, 1> } face_indices { 1, <0, 1, 2> } }\n" + FLOOR +

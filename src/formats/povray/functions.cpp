@@ -311,6 +311,10 @@ Numbers ValueParser::call(const Token& name) {
         case Word::k_min_extent:
         case Word::k_max_extent:
             return extent(name);
+        case Word::k_trace:
+            return trace(name);
+        case Word::k_inside:
+            return inside(name);
         default:
             error(name, fmt::format("{}() is not a function of numbers here", to_string(name.word())));
             return {};

@@ -105,7 +105,7 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
     report(object.missing);
     if (object.no_reflection && !no_reflection_) no_reflection_ = stream_.call_place(*object.no_reflection);
     // If the camera does not see what is cut, it is not cut: Jmol cuts by the box of the picture.
-    const bool may_be_unseen = object.clip && object.clips.size() == 1 && !from.map &&
+    const bool may_be_unseen = !is_quiet_ && object.clip && object.clips.size() == 1 && !from.map &&
                                object.map == object.clip->map && own.is_no_shadow && !own.in_solid &&
                                !own.clips && !object.clip->halves.empty();
     if (object.clip && !may_be_unseen && !add_clips(object, from, own)) report(object.clip->missing);

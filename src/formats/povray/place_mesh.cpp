@@ -106,7 +106,7 @@ bool SceneBuilder::place_single_face(const Object& o, const Inherited& own) {
 // A face with three colors: into the mesh of those before it that look the same, whose place it has then.
 bool SceneBuilder::gather_face(const Object& o, const Inherited& own, const Texture& texture) {
     const ReadMesh& mesh = *o.mesh;
-    if (own.map) return false;
+    if (own.map || is_quiet_) return false;
     for (const auto& of : mesh.textures)
         if (has_warnings(*of)) return false;
     const Texture colorless = without_color(texture);

@@ -83,6 +83,8 @@ CountedVector<FlatLoop> loops_of(const FlatLoop& points, Spline spline,
         } else if (spline != Spline::linear) {
             return {};
         }
+        // For the normals of trace(): those of bezier splines are on the other side.
+        if (spline == Spline::bezier) std::reverse(loop.begin(), loop.end());
         if (loop.size() >= 2) loops.push_back(std::move(loop));
         first = end;
     }

@@ -41,7 +41,7 @@ std::string advice(const Missing& missing) {
 }  // namespace
 
 void SceneBuilder::report(const Missing& missing) {
-    if (!missing.is_error && reading_.diagnostics.warned(missing.name)) return;
+    if (!missing.is_error && (is_quiet_ || reading_.diagnostics.warned(missing.name))) return;
     if (!missing.is_error) {
         return stream_.warn_once(missing.name, missing.at,
                                  fmt::format("glint does not render {} of POV-Ray: the picture will differ{}",

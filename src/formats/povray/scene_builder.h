@@ -18,9 +18,9 @@ namespace glint::povray {
 
 class SceneBuilder {
   public:
-    /// stream: for messages, places and limits.
-    SceneBuilder(LoadState& reading, TokenStream& stream)
-        : reading_(reading), scene_(reading.scene), stream_(stream) {}
+    /// stream: for messages, places and limits. is_quiet: without warnings of what is not rendered.
+    SceneBuilder(LoadState& reading, TokenStream& stream, bool is_quiet = false)
+        : reading_(reading), scene_(reading.scene), stream_(stream), is_quiet_(is_quiet) {}
 
     /// default_texture: of shapes that have none, and are in no group with one.
     void place(const Object& object, const Texture& default_texture);
@@ -30,6 +30,8 @@ class SceneBuilder {
     /// A feature that is not rendered: a warning for the first of each name, or an error. Does not end the
     /// reading.
     void report(const Missing& missing);
+    /// Whether anything that has been placed is an error.
+    bool has_refused() const { return !warned_.empty(); }
     /// After everything has been placed. scene_at: the token that stands for the scene in messages.
     void finish(const Token& scene_at);
 
@@ -156,6 +158,7 @@ class SceneBuilder {
     LoadState& reading_;
     Scene& scene_;
     TokenStream& stream_;
+    const bool is_quiet_;
     std::uint64_t placed_ = 0;
     // Of each mesh that has been placed. A weak pointer keeps its address from being used again.
     struct PlacedMesh {

@@ -121,6 +121,7 @@ class TokenStream {
     /// What a token stands for here; null if it is no identifier, or one without a value. Until the next
     /// token.
     const Value* find_value(const Token& token);
+    void assign(std::uint32_t name, bool is_local, Value value);
     /// An error if macros and includes are too deep within each other.
     bool can_call(const Token& name);
     /// Reads the tokens of a function next, with these values of its parameters.
@@ -153,7 +154,6 @@ class TokenStream {
     Binding* find_binding(std::uint32_t& name, std::uint32_t depth);
     Reference target_of(Reference reference);
     void bind(std::uint32_t name, std::uint32_t depth, Value value);
-    void assign(std::uint32_t name, bool is_local, Value value);
     void unbind(std::uint32_t name);
     void declare_numbers();
 

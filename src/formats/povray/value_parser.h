@@ -108,6 +108,13 @@ class ValueParser : public TokenStream {
     Value identifier_value(const Token& name);
     Numbers extent(const Token& function);
 
+    // rays.cpp
+    struct Traced;
+    const Traced* traced(const std::shared_ptr<const Object>& object, const Token& at);
+    std::shared_ptr<const Object> object_argument();
+    Numbers trace(const Token& function);
+    Numbers inside(const Token& function);
+
     // arrays.cpp
     Value array_value(const Token& at);
     void read_elements(Array& array, std::size_t dimensions, std::size_t& next, bool has_sizes);
@@ -118,6 +125,8 @@ class ValueParser : public TokenStream {
 
     std::vector<std::uint32_t> random_;  // the states of seed()
     std::uint64_t elements_ = 0;
+    std::vector<std::shared_ptr<const Traced>> traced_;
+    std::uint64_t traced_bytes_ = 0;
 };
 
 // What an identifier that has been read, or an element of an array, stands for; null if that is nothing of

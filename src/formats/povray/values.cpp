@@ -107,12 +107,8 @@ bool ValueParser::read_defined() {
 
 // A corner of the box around a declared object.
 Numbers ValueParser::extent(const Token& function) {
-    const Token name = take();
-    const auto object = named<Object>(name);
-    if (object == nullptr) {
-        error(name, fmt::format("expected the name of an object, found {}{}", describe(name), what_is(name)));
-        return {};
-    }
+    const auto object = object_argument();
+    if (object == nullptr) return {};
     std::string_view why;
     const auto box = extent_of(
         *object, [&](std::uint64_t n) { return spend(n); }, why);

@@ -16,9 +16,9 @@ namespace glint::povray {
     X(abs) X(acos) X(acosh) X(asc) X(asin) X(asinh) X(atan) X(atan2) X(atanh) X(ceil) X(clock) \
     X(clock_delta) X(clock_on) X(cos) X(cosh) X(defined) X(degrees) X(dimension_size) X(dimensions) \
     X(div) X(exp) X(false) X(file_exists) X(final_clock) X(final_frame) X(floor) X(frame_number) \
-    X(image_height) X(image_width) X(initial_clock) X(initial_frame) X(int) X(ln) X(log) X(max) X(max_extent) \
+    X(image_height) X(image_width) X(initial_clock) X(initial_frame) X(inside) X(int) X(ln) X(log) X(max) X(max_extent) \
     X(min) X(min_extent) X(mod) X(no) X(off) X(on) X(pi) X(pow) X(radians) X(rand) X(seed) X(select) X(sin) X(sinh) X(sqrt) \
-    X(strcmp) X(strlen) X(t) X(tan) X(tanh) X(true) X(u) X(v) X(val) X(vaxis_rotate) X(vcross) X(vdot) \
+    X(strcmp) X(strlen) X(t) X(tan) X(tanh) X(trace) X(true) X(u) X(v) X(val) X(vaxis_rotate) X(vcross) X(vdot) \
     X(vlength) X(vnormalize) X(vrotate) X(x) X(y) X(yes) X(z)
 #define GLINT_POV_STRING_WORDS(X) \
     X(chr) X(concat) X(datetime) X(str) X(strlwr) X(strupr) X(substr) X(vstr)
