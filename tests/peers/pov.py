@@ -117,6 +117,9 @@ RULES = [
     rule("inside", "#declare O = difference { union { box { -1, 1 rotate 30*y } cone { 0, 1.5, 2*y, 0.2 } torus { 1.5, 0.4 } } sphere { -z, 0.8 scale <1, 2, 1> } "
          "cylinder { -2*x, 2*x, 0.3 } quadric { <1, 1, 0>, 0, 0, -0.02 } plane { y, -0.6 } rotate <20, 10, 0> }\n" + FLOOR +
          "#for (X, -2, 2, 0.2) #for (Y, -1, 2, 0.2) #for (Z, -1, 1, 0.23) #if (inside(O, <X, Y, Z> + 0.013)) sphere { <X, Y, Z>, 0.08 pigment { rgb <X, Y, Z>/2 + 0.5 } } #end #end #end #end\n"),
+    rule("splines", "#declare S = spline { -1, <-2, 0, 0>, 0, <-1, 1.6, 0>, 0.8, <0, -0.5, 1>, 2, <1, 1.5, 0.3>, 2.2, <2, 0, 0> }\n" + FLOOR +
+         "#for (T, -1.2, 2.4, 0.05) sphere { S(T), 0.1 pigment { rgb x } } sphere { S(T, quadratic_spline), 0.08 pigment { rgb y } }\n"
+         "sphere { S(T, cubic_spline), 0.09 pigment { rgb z } } sphere { S(T, natural_spline), 0.08 pigment { rgb x + y } } #end\n"),
     # Spellings that POV-Ray takes beside those of its documentation.
     rule("spellings", "declare P = pigment { rgb <0.9, 0.3, 0.2> }\n#declare B = sphere { 0, 0.7 texture { P finish { phong 0.5 } } }\n"
          "#declare M = mesh2 { vertex_vectors { 3, <-2, 0, 1>, <0, 2, 1>, <2, 0, 1> } face_indices { 1, <0, 1, 2> } }\n" + FLOOR +

@@ -40,8 +40,8 @@ void TextureParser::skip_block() {
 
 bool TextureParser::is_opaque(Word word) {
     return word == Word::k_normal || word == Word::k_interior || word == Word::k_color_map ||
-           word == Word::k_colour_map || word == Word::k_function || word == Word::k_spline ||
-           word == Word::k_rainbow || word == Word::k_sky_sphere || word == Word::k_fog;
+           word == Word::k_colour_map || word == Word::k_function || word == Word::k_rainbow ||
+           word == Word::k_sky_sphere || word == Word::k_fog;
 }
 
 // A block that has a meaning only where it is used, after its word.

@@ -112,6 +112,8 @@ Numbers ValueParser::identifier(const Token& name) {
     }
     if (const auto* held = std::get_if<std::shared_ptr<const Function>>(&value))
         return call_function(name, *held);
+    if (const auto* held = std::get_if<std::shared_ptr<const ValueSpline>>(&value))
+        return call_spline(name, *held);
     error(name, fmt::format("expected a number, found {}, {}", describe(name), povray::describe(value)));
     return {};
 }
@@ -161,7 +163,8 @@ bool ValueParser::begins_number(const Token& token) {
         if (value == nullptr) return false;
         return std::holds_alternative<Numbers>(*value) ||
                std::holds_alternative<std::shared_ptr<Array>>(*value) ||
-               std::holds_alternative<std::shared_ptr<const Function>>(*value);
+               std::holds_alternative<std::shared_ptr<const Function>>(*value) ||
+               std::holds_alternative<std::shared_ptr<const ValueSpline>>(*value);
     }
     switch (token.word()) {
 #define GLINT_POV_WORD(word) case Word::k_##word:

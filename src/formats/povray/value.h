@@ -54,6 +54,17 @@ struct Function {
     std::string problem;  ///< what glint does not evaluate; else empty
 };
 
+/// A spline: its values by t, which rises.
+struct ValueSpline {
+    struct Point {
+        double t = 0;
+        Numbers value;  ///< of `terms`
+    };
+    std::size_t kind = 0;  ///< linear, quadratic, cubic, natural
+    int terms = 1;
+    CountedVector<Point> points;  ///< at least one
+};
+
 struct Array;
 // texture.h
 struct Pigment;
@@ -65,11 +76,13 @@ struct Opaque;
 struct Object;
 struct CameraItems;
 
-using Value = std::variant<
-    std::monostate, Numbers, String, std::shared_ptr<Array>, std::shared_ptr<const Pigment>,
-    std::shared_ptr<const Finish>, std::shared_ptr<const Texture>, std::shared_ptr<const MaterialValue>,
-    std::shared_ptr<const Object>, std::shared_ptr<const CameraItems>, std::shared_ptr<const Affine>,
-    std::shared_ptr<const Macro>, Reference, std::shared_ptr<const Opaque>, std::shared_ptr<const Function>>;
+using Value =
+    std::variant<std::monostate, Numbers, String, std::shared_ptr<Array>, std::shared_ptr<const Pigment>,
+                 std::shared_ptr<const Finish>, std::shared_ptr<const Texture>,
+                 std::shared_ptr<const MaterialValue>, std::shared_ptr<const Object>,
+                 std::shared_ptr<const CameraItems>, std::shared_ptr<const Affine>,
+                 std::shared_ptr<const Macro>, Reference, std::shared_ptr<const Opaque>,
+                 std::shared_ptr<const Function>, std::shared_ptr<const ValueSpline>>;
 
 /// Elements in row order; unset ones are monostate. Copies share it until one of them is modified.
 struct Array {

@@ -99,6 +99,11 @@ class ValueParser : public TokenStream {
     bool take_part(Token& token, const Function& function, const std::vector<std::uint32_t>& axes);
     Numbers call_function(const Token& name, const std::shared_ptr<const Function>& function);
 
+    // splines.cpp
+    bool read_spline_kind(std::size_t& kind);
+    std::shared_ptr<const ValueSpline> read_value_spline();
+    Numbers call_spline(const Token& name, const std::shared_ptr<const ValueSpline>& spline);
+
     // strings.cpp
     CountedString string_function(Word word);
     double value_of(const Token& at, std::string_view text);

@@ -16,7 +16,7 @@ std::string_view describe(const Value& value) {
                                                    "an object",   "a camera",
                                                    "a transform", "a macro",
                                                    "a parameter", "a block that glint does not render",
-                                                   "a function"};
+                                                   "a function",  "a spline"};
     if (const auto* numbers = std::get_if<Numbers>(&value)) {
         return numbers->terms == 1 ? "a number" : numbers->is_color() ? "a color" : "a vector";
     }
@@ -38,6 +38,9 @@ Value ValueParser::value() {
         case Word::k_function:
             take();
             return read_function(token);
+        case Word::k_spline:
+            take();
+            return read_value_spline();
         default:
             break;
     }
@@ -66,11 +69,14 @@ Value ValueParser::identifier_value(const Token& name) {
         const Value element = read_element(name, whole);
         const auto* function = std::get_if<std::shared_ptr<const Function>>(&element);
         if (function != nullptr && peek().is('(')) return expression_after(call_function(name, *function));
+        const auto* spline = std::get_if<std::shared_ptr<const ValueSpline>>(&element);
+        if (spline != nullptr && peek().is('(')) return expression_after(call_spline(name, *spline));
         const auto* numbers = std::get_if<Numbers>(&element);
         return numbers != nullptr ? expression_after(*numbers) : element;
     }
-    const bool is_called =
-        std::holds_alternative<std::shared_ptr<const Function>>(*value) && has_raw() && raw().is('(');
+    const bool is_called = (std::holds_alternative<std::shared_ptr<const Function>>(*value) ||
+                            std::holds_alternative<std::shared_ptr<const ValueSpline>>(*value)) &&
+                           has_raw() && raw().is('(');
     if (is_called) return expression();
     Value copy = *value;
     take();
