@@ -7,6 +7,17 @@ namespace {
 
 const std::string k_red = "pigment { rgb <1, 0, 0> }";
 
+// A value without `;` whose last token is that of a macro.
+TEST(PovRaySpellings, LocalsAreThoseOfTheMacroThatDeclaresThem) {
+    const Scene scene = povray_scene(
+        "#macro Up(A) transform { translate A*y } #end #macro Twice(A) 2*A; #end\n"
+        "#macro Ball(A) #local M = Up(A) #local N = Twice(A) #if (N > 1) sphere { 0, N transform M } #end "
+        "#end Ball(3)");
+    ASSERT_EQ(scene.get<Sphere>().size(), 1u);
+    EXPECT_EQ(scene.get<Sphere>()[0].center.y, 3);
+    EXPECT_EQ(scene.get<Sphere>()[0].radius, 6);
+}
+
 TEST(PovRaySpellings, DeclareNeedsNoHash) {
     EXPECT_EQ(povray_scene("declare R = 3;\nsphere { 0, R }").get<Sphere>().at(0).radius, 3);
 }

@@ -74,9 +74,9 @@ void TokenStream::bind(std::uint32_t name, std::uint32_t depth, Value value) {
 }
 
 // #declare changes what the name stands for here, if anything; else it declares a global identifier.
-void TokenStream::assign(std::uint32_t name, bool is_local, Value value) {
-    if (is_local) return bind(name, depth(), std::move(value));
-    if (Binding* binding = find_binding(name, depth())) {
+void TokenStream::assign(std::uint32_t name, bool is_local, std::uint32_t at_depth, Value value) {
+    if (is_local) return bind(name, at_depth, std::move(value));
+    if (Binding* binding = find_binding(name, at_depth)) {
         binding->value = std::move(value);
     } else {
         bind(name, 0, std::move(value));

@@ -2,6 +2,8 @@
 // Which directive it is; declarations, defaults and messages.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/text.h"
 #include "formats/povray/directive_parser.h"
 
@@ -94,8 +96,9 @@ void DirectiveParser::read_declare(bool is_local) {
             }
         }
     } else if (expect('=')) {
-        Value assigned = value();
-        if (!failed()) assign(name.name, is_local, std::move(assigned));
+        const std::uint32_t own_depth = depth();
+        Value assigned = value();  // whose last token may be that of a macro, which has not been left
+        if (!failed()) assign(name.name, is_local, std::min(own_depth, depth()), std::move(assigned));
     }
     if (!failed()) accept(';');
     end_value();

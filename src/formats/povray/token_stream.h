@@ -121,7 +121,12 @@ class TokenStream {
     /// What a token stands for here; null if it is no identifier, or one without a value. Until the next
     /// token.
     const Value* find_value(const Token& token);
-    void assign(std::uint32_t name, bool is_local, Value value);
+    std::uint32_t depth() const { return static_cast<std::uint32_t>(frames_.size() - 1); }
+    /// What #declare (or #local) at this depth does.
+    void assign(std::uint32_t name, bool is_local, std::uint32_t at_depth, Value value);
+    void assign(std::uint32_t name, bool is_local, Value value) {
+        assign(name, is_local, depth(), std::move(value));
+    }
     /// An error if macros and includes are too deep within each other.
     bool can_call(const Token& name);
     /// Reads the tokens of a function next, with these values of its parameters.
@@ -150,7 +155,6 @@ class TokenStream {
     void begin_value() { marks_.push_back({frames_.size(), conditions_.size(), braces_}); }
     void end_value();
 
-    std::uint32_t depth() const { return static_cast<std::uint32_t>(frames_.size() - 1); }
     Binding* find_binding(std::uint32_t& name, std::uint32_t depth);
     Reference target_of(Reference reference);
     void bind(std::uint32_t name, std::uint32_t depth, Value value);
