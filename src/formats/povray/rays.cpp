@@ -5,7 +5,6 @@
 // the object alone.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <vector>
 
 #include "formats/povray/scene_builder.h"
@@ -27,7 +26,6 @@ bool is_inside(const Object& o, Vec3 p) {
     }
     bool is_in = false;
     const Vec3 from_a = p - o.a;
-    const auto contains = [&](const ObjectPart& part) { return is_inside(*part, p); };
     switch (o.kind) {
         case ObjectKind::sphere:
             is_in = dot(from_a, from_a) < o.r * o.r;
@@ -59,19 +57,23 @@ bool is_inside(const Object& o, Vec3 p) {
                         o.b.y * p.x * p.z + o.b.z * p.y * p.z + dot(o.c, p) + o.s <
                     0;
             break;
-        default:
-            if (o.kind == ObjectKind::solid && o.operation == SolidOperation::intersection) {
-                is_in = std::all_of(o.parts->begin(), o.parts->end(), contains);
-            } else if (o.kind == ObjectKind::solid) {
-                is_in = contains(o.parts->front()) &&
-                        std::none_of(o.parts->begin() + 1, o.parts->end(), contains);
-            } else {
-                is_in = std::any_of(o.parts->begin(), o.parts->end(), contains);
+        default: {
+            bool all = true, any = false;
+            for (std::size_t i = 0; i < o.parts->size(); ++i) {
+                // Of a difference, the inside of all but the first counts as outside.
+                const bool is_cut =
+                    o.kind == ObjectKind::solid && i > 0 && o.operation != SolidOperation::intersection;
+                const bool is_in_part = is_inside(*(*o.parts)[i], p) != is_cut;
+                all = all && is_in_part;
+                any = any || is_in_part;
             }
+            is_in = o.kind == ObjectKind::solid ? all : any;
+        }
     }
-    return is_in != o.is_inverse && std::all_of(o.clips.begin(), o.clips.end(), [&](const ClipObject& clip) {
-               return is_inside(*clip.object, clip.map ? transform_point(*clip.map, p) : p);
-           });
+    is_in = is_in != o.is_inverse;
+    for (const ClipObject& clip : o.clips)
+        is_in = is_in && is_inside(*clip.object, clip.map ? transform_point(*clip.map, p) : p);
+    return is_in;
 }
 
 }  // namespace
@@ -158,8 +160,9 @@ Numbers ValueParser::inside(const Token& function) {
     accept(',');
     const Vec3 point = vector();
     if (failed() || !spend(object->count)) return {};
-    const auto has_inside = [](const ClipObject& clip) { return encloses_space(*clip.object); };
-    if (!encloses_space(*object) || !std::all_of(object->clips.begin(), object->clips.end(), has_inside)) {
+    bool is_known = encloses_space(*object);
+    for (const ClipObject& clip : object->clips) is_known = is_known && encloses_space(*clip.object);
+    if (!is_known) {
         error(function, "expected an object whose inside glint knows");
         return {};
     }
