@@ -55,6 +55,56 @@ TEST(PovrayLayers, WithSeveralFinishesAreWarnedOf) {
     EXPECT_EQ(messages(read_layers(std::string(k_rings) + shiny)), "");
 }
 
+std::string average(const std::string& parts) {
+    return "pigment { average pigment_map { " + parts + " } scale 2 }";
+}
+
+TEST(PovrayLayers, AveragesAreLayers) {
+    const Result<Scene> scene =
+        read_layers(average("[1 onion color_map { [0 rgb x] [1 rgb y] }] [2 checker rgb x rgb z] [1 rgb 3]"));
+    ASSERT_TRUE(scene) << messages(scene);
+    EXPECT_EQ(messages(scene), "");
+    ASSERT_EQ(scene->textures.size(), 3u);
+    EXPECT_EQ(scene->textures[1].over, 0u);
+    EXPECT_EQ(scene->textures[2].over, 1u);
+    EXPECT_EQ(scene->textures[0].color_map[0].alpha, 1);
+    EXPECT_EQ(scene->textures[1].color_map[1].alpha, 2.0 / 3);
+    EXPECT_EQ(scene->textures[2].color_map[0].alpha, 1.0 / 4);
+    EXPECT_EQ(scene->textures[1].world_from_texture.m[0][0], 2);
+}
+
+TEST(PovrayLayers, AveragesOfColorsAreOneColor) {
+    const Result<Scene> scene = read_layers(average("[1 rgb x] [3 rgb y] [0 rgb z]"));
+    ASSERT_TRUE(scene) << messages(scene);
+    EXPECT_EQ(messages(scene), "");
+    EXPECT_TRUE(scene->textures.empty());
+    EXPECT_EQ(scene->materials[scene->shapes[0].material].color, (Color{0.25, 0.75, 0}));
+}
+
+TEST(PovrayLayers, OtherAveragesAreWarnedOf) {
+    for (const std::string parts :
+         {"[1 rgbt <1, 0, 0, 0.5>] [1 rgb y]", "[-1 rgb x] [1 rgb y]", "[0 rgb x]", "M", "",
+          "[1 crackle] [1 rgb x]", "[1 gradient x color_map { [0 rgb x] [1 rgbt 1] }] [1 rgb x]"}) {
+        const Result<Scene> scene = read_layers(average(parts));
+        ASSERT_TRUE(scene) << messages(scene);
+        EXPECT_NE(messages(scene).find("average"), std::string::npos) << parts;
+    }
+}
+
+TEST(PovrayLayers, ManyAveragesHaveAtMostSixteenLayers) {
+    std::string parts;
+    for (int i = 0; i < 12; ++i) parts += "[1 onion color_map { [0 rgb x] [1 rgb y] }]";
+    const Result<Scene> scene = read_layers("texture { " + average(parts) +
+                                            " } texture { pigment { gradient x "
+                                            "color_map { [0 rgb z] [1 rgbt 1] } } }" +
+                                            std::string(k_lines));
+    ASSERT_TRUE(scene) << messages(scene);
+    for (int i = 0; i < 2; ++i) parts += parts;
+    const Result<Scene> many = read_layers(average(parts));
+    ASSERT_TRUE(many) << messages(many);
+    EXPECT_NE(messages(many).find("layered textures"), std::string::npos);
+}
+
 TEST(PovrayLayers, BeyondSixteenAreLeftOut) {
     std::string many;
     for (int i = 0; i < 40; ++i) many += k_lines;

@@ -13,6 +13,7 @@ import sys
 import zlib
 
 import alpha
+import averages
 import dat
 import finish
 import fog
@@ -32,7 +33,7 @@ import transparency
 
 SHARE = 0.99
 LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES, output.RULES, dat.RULES, pov.RULES,
-         images.RULES, layers.RULES, patterns.RULES, quadrics.RULES, solids.RULES, sweeps.RULES, height_fields.RULES, tori.RULES]
+         images.RULES, layers.RULES, averages.RULES, patterns.RULES, quadrics.RULES, solids.RULES, sweeps.RULES, height_fields.RULES, tori.RULES]
 
 
 def read_ppm(path):

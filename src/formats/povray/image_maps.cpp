@@ -11,6 +11,12 @@ namespace glint::povray {
 // Moves the pigment's image. With `uv_mapping`, only transforms in the block that has it apply, to u and v:
 // the callers leave out the others.
 void TextureParser::transform_image(Pigment& pigment, const std::optional<Affine>& step) {
+    if (step && pigment.under) {
+        auto under = make_counted<Pigment>(*pigment.under);
+        transform_image(*under, step);
+        pigment.under = std::move(under);
+        pigment.image_number = ++images_;
+    }
     if (!step || !(pigment.image || pigment.pattern)) return;
     pigment.map = pigment.map ? compose(*step, *pigment.map) : *step;
     if (pigment.image) pigment.image_number = ++images_;
@@ -20,6 +26,7 @@ void TextureParser::transform_image(Pigment& pigment, const std::optional<Affine
 void TextureParser::read_image_map(Pigment& pigment, const Token& at) {
     ImageItems items;
     pigment.pattern = nullptr;
+    pigment.under = nullptr;
     if (!expect('{')) return;
     while (!failed() && !accept('}')) {
         if (!accept(',')) read_image_item(at, items);

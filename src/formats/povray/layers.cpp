@@ -8,6 +8,13 @@ namespace glint::povray {
 
 SceneBuilder::Look SceneBuilder::look_of(const Inherited& own, const Token& at) {
     const Texture& texture = *own.texture;
+    if (texture.pigment.under) {
+        Texture others = texture;
+        others.pigment = *texture.pigment.under;
+        Inherited below = own;
+        below.texture = &others;
+        return over(own, look_of(below, at), at);
+    }
     if (texture.below && is_clear(texture)) {
         Inherited below = own;
         below.texture = texture.below.get();
@@ -38,6 +45,13 @@ SceneBuilder::Look SceneBuilder::over(const Inherited& own, const Look& below, c
     if (is_changed || (below.image != k_none && (c[3] != 0 || c[4] != 0)))
         report({"filter, transmit", "of a picture that is a layer of a texture", stream_.call_place(at)});
     const std::uint32_t lower = below.image == k_none ? texture_of_color(own, c, k_none, at) : below.image;
+    int layers = 1;
+    for (std::uint32_t i = lower; i != k_none; i = scene_.textures[i].over) ++layers;
+    if (layers > k_max_texture_layers) {
+        report(
+            {"layered textures", "more of them than 16: the highest are left out", stream_.call_place(at)});
+        return {{1, 1, 1, 0, 0}, lower};
+    }
     return {{1, 1, 1, 0, 0},
             pigment.image ? texture_of(own, at, lower) : texture_of_color(own, top, lower, at)};
 }

@@ -130,7 +130,9 @@ void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optio
     pigment.image = nullptr;
     pigment.image_number = 0;
     pigment.pattern = nullptr;
+    pigment.under = nullptr;
     pigment.map.reset();
+    if (text_of(item) == "average") return read_average(pigment, map);
     if (row == nullptr) return skip_rest();
     PatternSource source{row, item, {}};
     glint::Texture& texture = source.texture;

@@ -61,8 +61,10 @@ struct Pigment {
     std::optional<Affine> map;  ///< of the image's pattern, or of u and v with `uv_mapping`
     bool is_uv = false;         ///< `uv_mapping`
     std::shared_ptr<const PatternSource>
-        pattern{};            ///< what the text says of it, to be changed by more words
-    double image_number = 0;  ///< the same for the same image and map; 0: no image
+        pattern{};  ///< what the text says of it, to be changed by more words
+    /// Of an `average`: the others, of which this one, with less opacity, lets the rest be seen.
+    std::shared_ptr<const Pigment> under{};
+    double image_number = 0;  ///< the same for the same image and map, and average; 0: no image
     friend bool operator==(const Pigment& a, const Pigment& b) {
         return a.color == b.color && a.image_number == b.image_number;
     }
@@ -126,7 +128,7 @@ inline double opacity_of(const std::array<double, 5>& color) {
 /// Whether light passes the layer, or may.
 inline bool is_clear(const Texture& layer) {
     const Pigment& p = layer.pigment;
-    return p.color[3] != 0 || p.color[4] != 0 || (p.image && p.image->has_alpha());
+    return !p.under && (p.color[3] != 0 || p.color[4] != 0 || (p.image && p.image->has_alpha()));
 }
 /// Whether something of the texture is not rendered, beyond what its numbers say.
 bool has_warnings(const Texture& texture);

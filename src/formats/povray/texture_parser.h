@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Textures, materials and transforms, and blocks that are read over. In textures.cpp, finishes.cpp,
-// patterns.cpp, pattern_maps.cpp, sky.cpp, image_maps.cpp, blocks.cpp and transforms.cpp.
+// patterns.cpp, pattern_maps.cpp, averages.cpp, sky.cpp, image_maps.cpp, blocks.cpp and transforms.cpp.
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -57,6 +57,12 @@ struct PatternParts {
     bool are_plain = true;  ///< pigments of one color
 };
 
+/// An entry of the map of `average`.
+struct WeightedPigment {
+    double weight = 1;
+    Pigment pigment;
+};
+
 class TextureParser : public ValueParser {
   protected:
     using ValueParser::ValueParser;
@@ -100,6 +106,8 @@ class TextureParser : public ValueParser {
     void read_reflection(Finish& finish);
     void read_pattern(Pigment& pigment, const Token& item, std::optional<Affine>& map, PatternParts& parts);
     static const PatternRow* find_pattern(std::string_view word);
+    void read_average(Pigment& pigment, std::optional<Affine>& map);
+    void average(Pigment& pigment, const CountedVector<WeightedPigment>& parts);
     void change_pattern(Pigment& pigment, std::optional<Affine>& map);
     void draw_pattern(Pigment& pigment, PatternSource source, bool are_plain);
     bool read_block_colors(glint::Texture& texture, PatternParts& parts);
