@@ -84,7 +84,8 @@ TEST(PovrayLayers, AveragesOfColorsAreOneColor) {
 TEST(PovrayLayers, OtherAveragesAreWarnedOf) {
     for (const std::string parts :
          {"[1 rgbt <1, 0, 0, 0.5>] [1 rgb y]", "[-1 rgb x] [1 rgb y]", "[0 rgb x]", "M", "",
-          "[1 crackle] [1 rgb x]", "[1 gradient x color_map { [0 rgb x] [1 rgbt 1] }] [1 rgb x]"}) {
+          "[1 crackle] [1 rgb x]", "[function { x } color_map { [0 rgb x] }]",
+          "[1 gradient x color_map { [0 rgb x] [1 rgbt 1] }] [1 rgb x]"}) {
         const Result<Scene> scene = read_layers(average(parts));
         ASSERT_TRUE(scene) << messages(scene);
         EXPECT_NE(messages(scene).find("average"), std::string::npos) << parts;

@@ -47,7 +47,8 @@ void TextureParser::read_average(Pigment& pigment, std::optional<Affine>& map) {
                 break;
             }
             take();
-            WeightedPigment part{number(), default_texture().pigment};
+            WeightedPigment part{1, default_texture().pigment};
+            if (peek().word() != Word::k_function) part.weight = number();  // POV-Ray has it without a weight
             accept(',');
             read_pigment_items(part.pigment, ']');
             accept(',');
@@ -82,8 +83,7 @@ void TextureParser::average(Pigment& pigment, const CountedVector<WeightedPigmen
         sum += parts[k].weight;
         const double share = parts[k].weight / sum;
         if (!top.image && !pigment.image && !pigment.under) {
-            for (std::size_t c = 0; c < 3; ++c)
-                pigment.color[c] += (top.color[c] - pigment.color[c]) * share;
+            for (std::size_t c = 0; c < 3; ++c) pigment.color[c] += (top.color[c] - pigment.color[c]) * share;
             continue;
         }
         if (top.image) {
