@@ -98,7 +98,7 @@ TEST(PovRaySky, OtherPatternsAreNamed) {
              "pigment { gradient y color_map { [0 rgb 0] [1 rgb 1] } turbulence .2 }",
              "pigment { gradient y color_map { [0 rgbt 0] [1 rgbt 1] } }",
              "pigment { bozo color_map { [0 rgb 0] [1 rgb 1] } }",
-             "pigment { rgb 1 } pigment { rgbt .5 }",
+             "pigment { rgbt .5 }",
          }) {
         const Result<Scene> result =
             read_povray(std::string("light_source { 9, 1 }\nsphere { 0, 1 }\nsky_sphere { ") + items + " }");
@@ -108,6 +108,22 @@ TEST(PovRaySky, OtherPatternsAreNamed) {
                   std::string::npos)
             << items << messages(result);
     }
+}
+
+TEST(PovRaySky, TheLastOpaquePigmentIsDrawn) {
+    const auto read = [](const std::string& items) {
+        return read_povray("light_source { 9, 1 }\nsphere { 0, 1 }\nsky_sphere { " + items + " }");
+    };
+    const std::string blue = "pigment { rgb z }",
+                      clouds = "pigment { bozo color_map { [0 rgb 1] [1 rgbt 1] } }";
+    const Result<Scene> hidden = read(clouds + blue);
+    ASSERT_TRUE(hidden && hidden->gradient) << messages(hidden);
+    EXPECT_EQ(messages(hidden), "");
+    EXPECT_EQ(hidden->gradient->top_color, (Color{0, 0, 1}));
+    const Result<Scene> below = read(blue + clouds);
+    ASSERT_TRUE(below && below->gradient) << messages(below);
+    EXPECT_EQ(below->gradient->top_color, (Color{0, 0, 1}));
+    EXPECT_NE(messages(below).find("without what is over it"), std::string::npos) << messages(below);
 }
 
 double alpha_of_background(const std::string& version, const std::string& text) {

@@ -67,6 +67,7 @@ RULES = [
     sky("sky_gradient", f"pigment {{ gradient y {MAP} }}"),
     sky("sky_one_period", f"pigment {{ gradient y {MAP} scale 2 translate -1 }}"),
     sky("sky_turned", f"pigment {{ gradient <1, 2, 0> {MAP} scale 0.3 rotate 30*z }} rotate <10, 20, 30>"),
+    sky("sky_last_pigment", f"pigment {{ rgb x }} pigment {{ gradient y {MAP} }}"),
     sky("sky_planar", f"pigment {{ planar {MAP} }}"),
     sky("sky_planar_scaled", f"pigment {{ planar {MAP} scale 0.4 }} rotate 20*z"),
     rule("brick", BALL % pigment("brick", "scale 0.1")),

@@ -111,16 +111,16 @@ SkyItems TextureParser::read_sky_items() {
         if (read_transform_item(sky.map)) continue;
         const Token item = peek();
         if (accept(Word::k_pigment)) {
-            sky.is_one = sky.is_one && !sky.pigment;
-            sky.pigment = default_texture().pigment;
-            read_pigment(*sky.pigment);
+            Pigment pigment = default_texture().pigment;
+            read_pigment(pigment);
+            sky.pigments.push_back(std::move(pigment));
         } else if (accept(Word::k_emission)) {
             color(true);
         } else if (const Opaque* const named = named_block(item, Word::k_sky_sphere)) {
             take();
             sky = named->sky;
         } else {
-            sky.is_one = false;
+            sky.is_known = false;
             skip_rest();
         }
     }
@@ -131,9 +131,16 @@ void Reader::read_sky(const Token& at) {
     const SkyItems sky = read_sky_items();
     if (failed()) return;
     scene_.gradient.reset();
-    if (sky.pigment && sky.is_one) scene_.gradient = background_of(*sky.pigment, sky.map);
     scene_.gradient_place = place_of(at);
-    if (!scene_.gradient) builder_.report({"sky_sphere", "other than an opaque gradient", at});
+    // Each pigment is over those before it.
+    std::size_t left = sky.pigments.size();
+    while (left > 0 && !scene_.gradient) scene_.gradient = background_of(sky.pigments[--left], sky.map);
+    if (!scene_.gradient) {
+        builder_.report({"sky_sphere", "other than an opaque gradient", at});
+    } else if (left + 1 < sky.pigments.size() || !sky.is_known) {
+        builder_.report(
+            {"sky_sphere", "beyond an opaque gradient, which is drawn without what is over it", at});
+    }
 }
 
 }  // namespace glint::povray

@@ -101,9 +101,9 @@ struct Texture {
 
 /// What a `sky_sphere` has.
 struct SkyItems {
-    std::optional<Pigment> pigment;
+    CountedVector<Pigment> pigments;
     std::optional<Affine> map;
-    bool is_one = true;  ///< has one pigment
+    bool is_known = true;  ///< has nothing else
 };
 
 /// A block that has a meaning only where it is used: normal, interior, color_map, sky_sphere, ... Most are
