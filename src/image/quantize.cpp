@@ -2,8 +2,7 @@
 #include "image/quantize.h"
 
 #include "base/fp_environment.h"
-#include "math/elementary.h"
-#include "math/srgb.h"
+#include "image/byte_table.h"
 
 namespace glint {
 
@@ -24,7 +23,21 @@ std::uint8_t to_byte(float value, const ByteRule& rule) {
 
 std::uint8_t to_byte(float value, Transfer transfer) { return to_byte(value, ByteRule{transfer}); }
 
+namespace {
+
+void quantize_bytes(const float* values, std::size_t count, const ByteRule& rule, std::uint8_t* out) {
+    // A table takes the time of about as many numbers; of pictures, the next row has the same rule.
+    constexpr std::size_t k_many = 1024;
+    thread_local ByteTable table;
+    if (count >= k_many && ByteTable::has(rule) && !(table.rule() == rule)) table = ByteTable(rule);
+    const bool is_known = table.rule() == rule;
+    for (std::size_t i = 0; i < count; ++i) out[i] = is_known ? table(values[i]) : byte_of(values[i], rule);
+}
+
+}  // namespace
+
 void quantize_row(const float* values, std::size_t count, int bits, const ByteRule& rule, std::uint8_t* out) {
+    if (bits == 8 && !(rule == ByteRule{})) return quantize_bytes(values, count, rule, out);
     const auto each = [=](auto whole) {
         for (std::size_t i = 0; i < count; ++i) {
             const double value = static_cast<double>(values[i]);
@@ -38,11 +51,8 @@ void quantize_row(const float* values, std::size_t count, int bits, const ByteRu
         }
     };
     if (rule == ByteRule{}) return each([](double value, double scale) { return quantize(value, scale); });
-    each([&](double value, double scale) {
-        if (rule.gamma != 1) value = value > 0 && value < 1 ? pow(value, rule.gamma) : value;
-        if (rule.transfer == Transfer::srgb) value = srgb_encode(value);
-        return quantize(value, scale, rule.rounding);
-    });
+    each(
+        [&](double value, double scale) { return quantize(transferred(value, rule), scale, rule.rounding); });
 }
 
 Image as_written(Image image, const ByteRule& rule) {
