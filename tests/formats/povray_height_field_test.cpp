@@ -34,6 +34,13 @@ MeshData mesh_of_field(const std::string& text) {
     return scene.meshes.empty() ? MeshData{} : *scene.meshes[0];
 }
 
+TEST(PovRayHeightFields, TracedNormalsPointUp) {
+    const Scene scene = field_scene(
+        "#declare H = height_field { pgm \"grey.pgm\" } #declare N = 0*x;\n"
+        "#declare P = trace(H, <0.4, 9, 0.4>, -y, N); sphere { N, 1 }");
+    EXPECT_GT(scene.get<Sphere>().at(0).center.y, 0.5);
+}
+
 TEST(PovRayHeightFields, TexelsAreVerticesFromTheLowerLeft) {
     const Scene scene = field_scene("height_field { pgm \"grey.pgm\" }");
     ASSERT_EQ(scene.meshes.size(), 1u);

@@ -25,7 +25,8 @@ TEST(PovRayMesh, HasVerticesNormalsAndATransform) {
     const Scene scene = povray_scene(
         "mesh2 { vertex_vectors { 4, 0, x, y, <1, 1, 0> } normal_vectors { 2, 3*z, 0 }\n"
         "  face_indices { 2, <0, 1, 2>, <1, 3, 2> } normal_indices { 1, <0, 1, 0> } translate 2*z }\n"
-        "mesh { triangle { 0, x, y } smooth_triangle { 0, z, x, z, y, z } inside_vector y pigment { rgb 1 } "
+        "mesh { inside_vector z triangle { 0, x, y } smooth_triangle { 0, z, x, z, y, z } inside_vector y "
+        "pigment { rgb 1 } "
         "}\n");
     ASSERT_EQ(scene.shapes.size(), 2u);
     EXPECT_EQ(scene.transforms.at(scene.shapes[0].transform).m[2][3], 2);

@@ -43,20 +43,28 @@ TEST(PovRaySplines, AreConstantBeyondTheirEnds) {
     expect_value("cubic_spline " + k_points, "S(4.5)", {-3, 2, 6});
 }
 
-TEST(PovRaySplines, FewPointsAreStraight) {
+TEST(PovRaySplines, FewPointsAreStraightOrTheirMean) {
     for (const std::string kind : {"linear", "quadratic", "cubic", "natural"}) {
-        expect_value(kind + "_spline 0, <1,2,3>, 1, <2,5,-1> }", "S(0.3)", {1.3, 2.9, 1.8});
+        expect_value(kind + "_spline 0, <1,2,3>, 1, <2,5,-1> }", "S(0.3)",
+                     kind == "cubic" ? Vec3{1.5, 3.5, 1} : Vec3{1.3, 2.9, 1.8});
         expect_value(kind + "_spline 0, <1,2,3> }", "S(0.3)", {1, 2, 3});
     }
     expect_value("cubic_spline 0, <1,2,3>, 1, <2,5,-1>, 2, <4,4,4> }", "S(0.3)", {2, 5, -1});
 }
 
-TEST(PovRaySplines, PointsAreSortedAndTheFirstAtOneTCounts) {
-    expect_value("4, <1,2,0> 0 <2,5,0>, 2, <7,8,0>, 2, <9,9,9> }", "S(1)", {4.5, 6.5, 0});
+TEST(PovRaySplines, PointsAreSorted) {
+    expect_value("4, <1,2,0> 0 <2,5,0>, 2, <7,8,0> }", "S(1)", {4.5, 6.5, 0});
     expect_value("4, <1,2,0> 0 <2,5,0>, 2, <7,8,0> }", "S(1, natural_spline)", {5.53125, 7.34375, 0});
     expect_value("4, <1,2,0> 0 <2,5,0>, 2, <7,8,0> }", "S(1, quadratic_spline) + S(1) - S(1)",
                  {5.875, 7.625, 0});
-    expect_value("natural_spline 0, 1, 1, 2, 2, 5 }", "S(0.5)", {1.3125, 1.3125, 1.3125});
+    expect_value("natural_spline 0, 1, 1, 2, 2, 5 }", "S(0.5)", {1.3125, 1.3125, 0});
+}
+
+TEST(PovRaySplines, TheLastOfSeveralValuesAtOneTCounts) {
+    expect_value("0, <1,2,3>, 0, <5,6,7>, 1, <2,3,4> }", "S(0)", {5, 6, 7});
+    expect_value("0, <1,2,3>, 1, <5,6,7>, 2, <2,3,4>, 1, <9,9,9> }", "S(1)", {9, 9, 9});
+    // Where t was the greatest, the first does.
+    expect_value("0, <1,2,3>, 1, <5,6,7>, 1, <9,9,9>, 2, <2,3,4> }", "S(1)", {5, 6, 7});
 }
 
 TEST(PovRaySplines, AreCopiedAndHeldInArrays) {

@@ -69,6 +69,9 @@ TEST(PovRay, ConditionsAndLoopsMayStandAnywhere) {
 TEST(PovRay, MacrosAreParsedAtTheirCallsWithArgumentsByReference) {
     EXPECT_NEAR(value_of("A", "#macro Add(V) #declare V = V + .5; #end #declare A = 1; Add(A)"), 1.5,
                 k_pov_near);
+    EXPECT_NEAR(value_of("A", "#macro Set(V) #local V = 5; #end #declare A = 1; Set(A)"), 5, k_pov_near)
+        << "a parameter stands for the identifier";
+    EXPECT_NEAR(value_of("A", "#macro Set(V) #local V = 5; #end #declare A = 1; Set((A))"), 1, k_pov_near);
     EXPECT_NEAR(value_of("Twice(3) + 1", "#macro Twice(V) V*2 #end"), 7, k_pov_near);
     EXPECT_NEAR(value_of("G", "#declare G = 1; #macro M() #local G = 2; #declare G = 3; #end M()"), 1,
                 k_pov_near)

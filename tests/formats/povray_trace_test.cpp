@@ -13,7 +13,7 @@ struct Hit {
     Vec3 point, normal;
 };
 Hit traced(const std::string& object, const std::string& ray) {
-    const Scene scene = povray_scene("#declare O = " + object + " #declare N = 7; #declare P = trace(O, " +
+    const Scene scene = povray_scene("#declare O = " + object + " #declare N = x; #declare P = trace(O, " +
                                      ray + ", N);\nsphere { P, 1 } sphere { N, 1 }");
     const auto& spheres = scene.get<Sphere>();
     EXPECT_EQ(spheres.size(), 2u) << object;
@@ -107,11 +107,38 @@ TEST(PovRayTrace, InsideKnowsSolids) {
     EXPECT_EQ(outside.get<Sphere>()[1].radius, 1);
 }
 
+TEST(PovRayTrace, FacesAreInside) {
+    for (const std::string object : {"box { 0, 1 }", "plane { x, 1 }", "torus { 0.75, 0.25 rotate 90*x }"})
+        EXPECT_EQ(povray_scene("#declare O = " + object + "; sphere { 0, 1 + inside(O, x) }")
+                      .get<Sphere>()
+                      .at(0)
+                      .radius,
+                  2)
+            << object;
+}
+
+TEST(PovRayTrace, TheNormalMayBeAnElementOfAnArray) {
+    const Scene scene = povray_scene(
+        "#declare O = sphere { 0, 1 } #declare A = array[2] { x, x }\n"
+        "#declare P = trace(O, -5*z, z, A[1]); sphere { A[1], 1 } sphere { A[0], 1 }");
+    EXPECT_EQ(scene.get<Sphere>().at(0).center, (Vec3{0, 0, -1}));
+    EXPECT_EQ(scene.get<Sphere>().at(1).center, (Vec3{1, 0, 0}));
+}
+
+TEST(PovRayTrace, WorldsOfManyObjectsCountAsSteps) {
+    const Result<Scene> scene = read_povray(
+        "#declare M = mesh { #for (I, 1, 2000) triangle { <I, 0, 0>, <I + 1, 0, 0>, <I, 1, 1> } #end }\n"
+        "#while (1) #declare O = object { M } #declare P = trace(O, y, -y); #end");
+    EXPECT_FALSE(scene);
+}
+
 TEST(PovRayTrace, MistakesAreNamed) {
     const std::pair<std::string, std::string> mistakes[] = {
         {"sphere { trace(x, 0, z), 1 }", "2:16: error: expected the name of an object, found 'x'"},
         {"#declare O = sphere { 0, 1 } sphere { trace(O, 0, z, Q), 1 }",
          "2:54: error: expected the name of a vector, found 'Q', which is not declared"},
+        {"#declare N = 1; #declare O = sphere { 0, 1 } sphere { trace(O, 0, z, N), 1 }",
+         "2:70: error: expected the name of a vector, found 'N'"},
         {"#declare O = blob { threshold 1 sphere { 0, 1, 1 } } sphere { trace(O, 0, z), 1 }",
          "2:14: error: glint does not render `blob`"},
         {"#declare O = blob { threshold 1 sphere { 0, 1, 1 } } sphere { trace(O, 0, z), 1 }",

@@ -73,9 +73,18 @@ void TokenStream::bind(std::uint32_t name, std::uint32_t depth, Value value) {
     if (depth > 0) frames_[depth].locals.push_back(name);
 }
 
-// #declare changes what the name stands for here, if anything; else it declares a global identifier.
+// Whether the name is that of a parameter of this frame's macro, which stands for an identifier.
+bool TokenStream::is_reference(std::uint32_t name, std::uint32_t depth) const {
+    const auto& bindings = bindings_[name];
+    return std::any_of(bindings.begin(), bindings.end(), [&](const Binding& b) {
+        return b.depth == depth && std::holds_alternative<Reference>(b.value);
+    });
+}
+
+// #declare changes what the name stands for here, if anything; else it declares a global identifier. So does
+// #local of a parameter that stands for an identifier.
 void TokenStream::assign(std::uint32_t name, bool is_local, std::uint32_t at_depth, Value value) {
-    if (is_local) return bind(name, at_depth, std::move(value));
+    if (is_local && !is_reference(name, at_depth)) return bind(name, at_depth, std::move(value));
     if (Binding* binding = find_binding(name, at_depth)) {
         binding->value = std::move(value);
     } else {

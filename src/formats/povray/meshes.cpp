@@ -27,10 +27,15 @@ Object ObjectParser::read_mesh(const Token& word) {
     if (!expect('{')) return object;
     if (begins_declared(peek()) && begins_object(peek())) return read_copy();
     auto mesh = make_counted<ReadMesh>();
-    while (!failed() && (peek().word() == Word::k_triangle || peek().word() == Word::k_smooth_triangle)) {
-        read_mesh_triangle(*mesh);
+    while (!failed()) {
+        if (accept(Word::k_inside_vector)) {
+            vector();
+        } else if (peek().word() == Word::k_triangle || peek().word() == Word::k_smooth_triangle) {
+            read_mesh_triangle(*mesh);
+        } else {
+            break;
+        }
     }
-    if (accept(Word::k_inside_vector)) vector();
     object.mesh = std::move(mesh);
     read_modifiers(object);
     return object;

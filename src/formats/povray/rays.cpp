@@ -17,6 +17,7 @@ namespace {
 
 constexpr double k_ray_begin = 1e-4;
 constexpr std::size_t k_max_traced = 64;
+constexpr std::uint64_t k_bytes_a_step = 512;  // of a World, so that loops that make many end
 
 bool is_inside(const Object& o, Vec3 p) {
     if (o.map) {
@@ -32,11 +33,11 @@ bool is_inside(const Object& o, Vec3 p) {
             break;
         case ObjectKind::box: {
             const Vec3 from_b = p - o.b;
-            is_in = from_a.x * from_b.x < 0 && from_a.y * from_b.y < 0 && from_a.z * from_b.z < 0;
+            is_in = from_a.x * from_b.x <= 0 && from_a.y * from_b.y <= 0 && from_a.z * from_b.z <= 0;
             break;
         }
         case ObjectKind::plane:
-            is_in = dot(normalize(o.b), p) < o.s;
+            is_in = dot(normalize(o.b), p) <= o.s;
             break;
         case ObjectKind::cylinder:
         case ObjectKind::cone: {
@@ -49,12 +50,12 @@ bool is_inside(const Object& o, Vec3 p) {
         }
         case ObjectKind::torus: {
             const double across = length(Vec3{p.x, 0, p.z}) - o.r;
-            is_in = across * across + p.y * p.y < o.s * o.s;
+            is_in = across * across + p.y * p.y <= o.s * o.s;
             break;
         }
         case ObjectKind::quadric:
             is_in = o.a.x * p.x * p.x + o.a.y * p.y * p.y + o.a.z * p.z * p.z + o.b.x * p.x * p.y +
-                        o.b.y * p.x * p.z + o.b.z * p.y * p.z + dot(o.c, p) + o.s <
+                        o.b.y * p.x * p.z + o.b.z * p.y * p.z + dot(o.c, p) + o.s <=
                     0;
             break;
         default: {
@@ -105,13 +106,15 @@ const ValueParser::Traced* ValueParser::traced(const std::shared_ptr<const Objec
     }
     made->world = std::move(*world);
     for (const Shape& shape : scene.shapes) {
-        const bool is_mesh = shape.kind == ShapeKind::mesh;
-        const bool is_flat = is_mesh ? scene.meshes[scene.get<Mesh>()[shape.index].mesh]->normals.empty()
-                                     : shape.kind == ShapeKind::triangle;
+        bool is_flat = shape.kind == ShapeKind::triangle;
+        if (shape.kind == ShapeKind::mesh) {
+            const std::uint32_t mesh = scene.get<Mesh>()[shape.index].mesh;
+            is_flat = scene.meshes[mesh]->normals.empty() && !builder.is_field(mesh);
+        }
         made->is_turned.push_back(is_flat != object->is_inverse);
     }
     const std::uint64_t bytes = memory_usage(made->world).total();
-    if (!has_room(traced_bytes_ + bytes, at)) return nullptr;
+    if (!has_room(traced_bytes_ + bytes, at) || !spend(bytes / k_bytes_a_step)) return nullptr;
     if (traced_.size() == k_max_traced) {
         traced_.clear();
         traced_bytes_ = 0;
@@ -129,15 +132,25 @@ std::shared_ptr<const Object> ValueParser::object_argument() {
     return object;
 }
 
-// OBJECT, from, direction [, name of the normal]
+// OBJECT, from, direction [, the normal's name or element of an array]
 Numbers ValueParser::trace(const Token& function) {
     const auto object = object_argument();
     accept(',');
     const Vec3 from = vector_argument(), to = vector_argument();
     const bool has_normal = !failed() && !peek().is(')');
     const Token name = has_normal ? take() : Token();
-    if (has_normal && find_value(name) == nullptr)
-        error(name, fmt::format("expected the name of a vector, found {}{}", describe(name), what_is(name)));
+    std::vector<std::uint32_t> indices;
+    if (has_normal) {
+        const Value* const known = find_value(name);
+        const auto* const numbers = known ? std::get_if<Numbers>(known) : nullptr;
+        const bool is_array = known && std::holds_alternative<std::shared_ptr<Array>>(*known);
+        if (is_array && peek().is('[')) {
+            indices = read_indices();
+        } else if (!numbers || numbers->terms != 3) {
+            error(name,
+                  fmt::format("expected the name of a vector, found {}{}", describe(name), what_is(name)));
+        }
+    }
     const Traced* of = failed() ? nullptr : traced(object, function);
     if (of == nullptr) return {};
     Vec3 point, normal;
@@ -150,7 +163,14 @@ Numbers ValueParser::trace(const Token& function) {
             normal = of->is_turned[hit.shape] ? -hit.normal : hit.normal;
         }
     }
-    if (has_normal) assign(name.name, false, Numbers(normal));
+    std::uint32_t target = name.name;
+    if (Binding* const binding = has_normal ? find_binding(target, depth()) : nullptr) {
+        if (indices.empty()) {
+            binding->value = Numbers(normal);
+        } else {
+            assign_element(name, binding->value, indices, Numbers(normal));
+        }
+    }
     return Numbers(point);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 // Objects to the Scene: groups are resolved, maps are applied to the shapes, textures become materials; and
 // what of POV-Ray's rules only the whole scene decides.
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -22,6 +23,11 @@ class SceneBuilder {
     SceneBuilder(LoadState& reading, TokenStream& stream, bool is_quiet = false)
         : reading_(reading), scene_(reading.scene), stream_(stream), is_quiet_(is_quiet) {}
 
+    /// Whether a mesh of the scene is a height_field.
+    bool is_field(std::uint32_t mesh) const {
+        return std::any_of(fields_.begin(), fields_.end(),
+                           [&](const auto& field) { return field.second.index == mesh; });
+    }
     /// default_texture: of shapes that have none, and are in no group with one.
     void place(const Object& object, const Texture& default_texture);
     void use_camera(const CameraItems& camera);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // spline { [KIND] t, value, ... }, called as S(t [, KIND]). What was measured of POV-Ray: before the first
 // and after the last t, the value is theirs, of cubic ones that of their neighbours; of several values at one
-// t the first counts; quadratic ones are the parabola through both ends of a span and the point before, of
+// t the last counts, but the first where t was the greatest of two or more; a number stands for two terms;
+// quadratic ones are the parabola through both ends of a span and the point before, of
 // the first span the point after; cubic ones have at each point the mean of the slopes beside it; natural
-// ones bend nowhere at their ends. Two points make a straight line.
+// ones bend nowhere at their ends. Two points make a straight line, of a cubic spline their mean.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -90,13 +91,17 @@ std::shared_ptr<const ValueSpline> ValueParser::read_value_spline() {
         const double t = first ? *first : number();
         first.reset();
         accept(',');
-        const Numbers value = expression();
+        const Numbers value = promoted(expression(), 2);
         accept(',');
         out->terms = std::max(out->terms, value.terms);
         const auto at = std::lower_bound(points.begin(), points.end(), t,
                                          [](const ValueSpline::Point& p, double x) { return p.t < x; });
         if (!spend(static_cast<std::uint64_t>(points.end() - at) / 64 + 1)) break;
-        if (at == points.end() || at->t != t) points.insert(at, {t, value});
+        if (at == points.end() || at->t != t) {
+            points.insert(at, {t, value});
+        } else if (points.size() == 1 || at + 1 != points.end()) {
+            at->value = value;
+        }
     }
     if (!failed() && points.empty()) expected("a number and a value");
     for (auto& point : points) point.value = promoted(point.value, out->terms);
@@ -114,6 +119,11 @@ Numbers ValueParser::call_spline(const Token& name, const std::shared_ptr<const 
     if (failed() || !expect(')')) return {};
     const auto& points = spline->points;
     const std::size_t n = points.size();
+    if (n == 2 && kind == k_cubic) {
+        Numbers mean = points[0].value;
+        for (std::size_t i = 0; i < mean.v.size(); ++i) mean.v[i] = (mean.v[i] + points[1].value.v[i]) / 2;
+        return mean;
+    }
     if (n < 3) kind = 0;
     const std::size_t first = kind == k_cubic ? 1 : 0, last = n - 1 - first;
     if (t <= points[first].t) return points[first].value;

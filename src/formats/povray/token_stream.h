@@ -122,6 +122,8 @@ class TokenStream {
     /// token.
     const Value* find_value(const Token& token);
     std::uint32_t depth() const { return static_cast<std::uint32_t>(frames_.size() - 1); }
+    /// The binding of a name as a frame sees it. `name` becomes that of the target of references.
+    Binding* find_binding(std::uint32_t& name, std::uint32_t depth);
     /// What #declare (or #local) at this depth does.
     void assign(std::uint32_t name, bool is_local, std::uint32_t at_depth, Value value);
     void assign(std::uint32_t name, bool is_local, Value value) {
@@ -134,6 +136,8 @@ class TokenStream {
                std::span<const double> values);
 
   private:
+    bool is_reference(std::uint32_t name, std::uint32_t depth) const;
+
     friend class DirectiveParser;  // which moves in the frames
 
     /// Carries out a directive whose word is `at`.
@@ -155,7 +159,6 @@ class TokenStream {
     void begin_value() { marks_.push_back({frames_.size(), conditions_.size(), braces_}); }
     void end_value();
 
-    Binding* find_binding(std::uint32_t& name, std::uint32_t depth);
     Reference target_of(Reference reference);
     void bind(std::uint32_t name, std::uint32_t depth, Value value);
     void unbind(std::uint32_t name);
