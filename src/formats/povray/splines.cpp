@@ -72,7 +72,8 @@ bool ValueParser::read_spline_kind(std::size_t& kind) {
 std::shared_ptr<const ValueSpline> ValueParser::read_value_spline() {
     auto out = make_counted<ValueSpline>();
     if (!expect('{')) return out;
-    std::optional<double> first;
+    double first = 0;
+    bool has_first = false;
     if (const Value* known = find_value(peek());
         known != nullptr && !std::holds_alternative<Numbers>(*known)) {
         const Token name = take();
@@ -81,15 +82,16 @@ std::shared_ptr<const ValueSpline> ValueParser::read_value_spline() {
             *out = **copied;
         } else if (const auto* numbers = std::get_if<Numbers>(&value)) {
             first = expression_after(*numbers).v[0];  // of an array
+            has_first = true;
         } else if (!failed()) {
             error(name, fmt::format("expected a spline or a number, found {}", povray::describe(value)));
         }
     }
-    if (!first) read_spline_kind(out->kind);
+    if (!has_first) read_spline_kind(out->kind);
     auto& points = out->points;
-    while (!failed() && (first || !peek().is('}'))) {
-        const double t = first ? *first : number();
-        first.reset();
+    while (!failed() && (has_first || !peek().is('}'))) {
+        const double t = has_first ? first : number();
+        has_first = false;
         accept(',');
         const Numbers value = promoted(expression(), 2);
         accept(',');
