@@ -89,7 +89,8 @@ TEST(PovRayTrace, InsideKnowsSolids) {
         {"difference { box { -1, 1 } sphere { -z, 0.5 } }", "0"},
         {"intersection { box { -1, 1 } plane { y, 0 } }", "-0.5*y"},
         {"box { -1, 1 clipped_by { plane { y, 0 } } translate 3*y }", "2.9*y"}};
-    for (const auto& [object, point] : inside) {
+    for (const auto& each : inside) {
+        const std::string &object = each.first, &point = each.second;
         const auto is_inside = [&](const std::string& text) {
             return povray_scene("#declare O = " + object + text + "; sphere { 0, 1 + inside(O, " + point +
                                 ") }")
