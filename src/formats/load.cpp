@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Texts to one Scene: reads each text with its format's reader, applies the settings, and validates.
-#include "base/sort_stably.h"
 #include "formats/load_validated.h"
 
 #include <fmt/format.h>
@@ -8,6 +7,7 @@
 #include <algorithm>
 
 #include "base/fp_environment.h"
+#include "base/sort_stably.h"
 #include "base/status.h"
 #include "formats/profile_file.h"
 #include "formats/registry.h"

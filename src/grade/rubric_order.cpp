@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "grade/rubric_order.h"
-#include "base/sort_stably.h"
 
 #include <algorithm>
 #include <numeric>
 #include <tuple>
+
+#include "base/sort_stably.h"
 
 namespace glint {
 
