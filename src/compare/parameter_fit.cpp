@@ -188,9 +188,10 @@ double ParameterFit::left_of(const std::vector<float>& rendered) const {
 std::optional<Fit> ParameterFit::fit(const FitProblem& problem, FitStart start) const {
     if (problem.units.size() > k_max_values) return std::nullopt;
     std::vector<double> values = problem.start;
-    std::optional<std::vector<float>> rendered = rendered_with(problem, values);
-    if (!rendered) return std::nullopt;
-    Fit best{values, left_of(*rendered)};
+    auto at_start_values = rendered_with(problem, values);
+    if (!at_start_values) return std::nullopt;
+    std::vector<float> rendered = std::move(*at_start_values);
+    Fit best{values, left_of(rendered)};
     double damping = k_first_damping;
     const double at_start = best.left;
     const std::vector<Stage> stages = stages_of(grid_.columns(), start);
@@ -201,7 +202,7 @@ std::optional<Fit> ParameterFit::fit(const FitProblem& problem, FitStart start) 
         double at_first = 0, last = 0;  // squared, blurred
         const int iterations = start == FitStart::near && by >= 1 ? k_near_iterations : k_iterations;
         for (int iteration = 0; iteration < iterations && best.left > k_enough; ++iteration) {
-            const auto step = step_from(problem, values, *rendered, radius, by);
+            const auto step = step_from(problem, values, rendered, radius, by);
             if (!step) return std::nullopt;
             if (iteration == 0) at_first = step->error;
             last = step->error;
@@ -218,8 +219,8 @@ std::optional<Fit> ParameterFit::fit(const FitProblem& problem, FitStart start) 
                 if (gain <= 0) continue;
                 last = (1 - gain) * step->error;
                 values = std::move(next);
-                rendered = std::move(made);
-                const double left = left_of(*rendered);
+                rendered = std::move(*made);
+                const double left = left_of(rendered);
                 if (left < best.left) best = {values, left};
             }
             if (gain < k_min_gain) break;
