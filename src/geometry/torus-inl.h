@@ -65,7 +65,7 @@ struct TorusGeometry : GeometryTraits {
 
     /// Only the first root is computed.
     // Not inline: the kernels call it from a dozen places, and a torus takes much longer than the call.
-    template <class T> static HWY_NOINLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) {
+    template <class T> static HWY_NOINLINE Hit<T> hit(const T* p, const Ray<T>& ray, T t_min) noexcept {
         const Roots<T> ball = Line<T>::room(p, ray);
         if (!any(ball.real)) return {ball.real, ball.b};
         const Line<T> line(p, ball, ray);
@@ -93,7 +93,8 @@ struct TorusGeometry : GeometryTraits {
     }
 
     /// The signs alternate from outside to outside: a line has as many entries as exits, two at most.
-    template <class T> static HWY_NOINLINE void crossings(const T* p, const Ray<T>& ray, Crossing<T>* to) {
+    template <class T>
+    static HWY_NOINLINE void crossings(const T* p, const Ray<T>& ray, Crossing<T>* to) noexcept {
         to[0] = to[1] = {};
         const Roots<T> ball = Line<T>::room(p, ray);
         if (!any(ball.real)) return;

@@ -82,13 +82,13 @@ template <class T> HWY_INLINE T attenuation(T c0, T c1, T c2, T distance, T most
 }
 
 /// 2 / (1 + (d / fade_distance)^fade_power) (POV-Ray, measured).
-template <class T> HWY_NOINLINE T fading(T fade_distance, T fade_power, T distance) {
+template <class T> HWY_NOINLINE T fading(T fade_distance, T fade_power, T distance) noexcept {
     return T(2) / (T(1) + pow(distance / fade_distance, fade_power));
 }
 
 /// The factor of a spot's light in a direction whose cosine with the axis is given: 1 within the inner angle,
 /// 0 from the outer angle on. cubic: POV-Ray, measured; linear: Tachyon, measured.
-template <class T> HWY_NOINLINE T spot_factor(T cosine, const SpotCone& cone, SpotFalloff falloff) {
+template <class T> HWY_NOINLINE T spot_factor(T cosine, const SpotCone& cone, SpotFalloff falloff) noexcept {
     const auto inside = cosine >= T(cone.inner_cosine), outside = cosine <= T(cone.outer_cosine);
     if (falloff == SpotFalloff::linear) {
         const double width = cone.outer_radians - cone.inner_radians;

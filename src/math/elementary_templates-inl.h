@@ -107,7 +107,7 @@ template <class T> GLINT_INLINE T exp(T x) {
 /// x^y for finite y and finite x >= 0: x^0 = 1, 0^y = 0 for y > 0 and infinity for y < 0; infinity if the
 /// result exceeds the largest double. Numbers below 2^-1022, x or the result, count as 0. For x < 0 (a cosine
 /// on the far side) the result is 0 for every y.
-template <class T> GLINT_INLINE_IF_FAST T pow(T x, T y) {
+template <class T> GLINT_INLINE_IF_FAST T pow(T x, T y) noexcept {
     const auto log2 = log2_high_low(x);
     const T y_hi = head(y);
     const T power = exp2_high_low(y_hi * log2.hi, (y - y_hi) * log2.hi + y * log2.lo);

@@ -39,7 +39,7 @@ HWY_INLINE Color miss_color(const WorldParts& world) {
 }
 
 /// The colors of a map at a vector of numbers.
-HWY_NOINLINE inline Vector3<Doubles> map_colors(const std::vector<TextureColor>& map, Doubles v) {
+HWY_NOINLINE inline Vector3<Doubles> map_colors(const std::vector<TextureColor>& map, Doubles v) noexcept {
     alignas(k_ray_alignment) double at[lane_count<double>()], columns[3][lane_count<double>()];
     store(v, at);
     for (int k = 0; k < lane_count<double>(); ++k) {

@@ -101,7 +101,7 @@ class SolidLanes {
     }
 
     /// Accepts the hits of the rays `bits`, by entry and exit of the solid's box.
-    void test(std::uint32_t bits, Doubles entry, Doubles exit) {
+    void test(std::uint32_t bits, Doubles entry, Doubles exit) noexcept {
         const Doubles t_min = load(tests_.rays.t_min + ray_number_);
         const Doubles size = max_abs(ray_.direction), error = max_abs(ray_.origin) * Doubles(k_event_error);
         Doubles last(-k_infinity);
@@ -158,7 +158,7 @@ class SolidLanes {
     }
 
     /// The least t of a crossing beyond `last`.
-    Doubles next_crossing(Doubles last) const {
+    Doubles next_crossing(Doubles last) const noexcept {
         Doubles next(k_infinity);
         const double* const end = crossings_ + total_ * k_stride;
         for (const double* at = crossings_; at != end; at += lane_count<double>()) {
@@ -169,7 +169,7 @@ class SolidLanes {
     }
 
     /// By operand: the rays that are inside it beyond t.
-    void set_states(Doubles t, std::uint32_t* states) const {
+    void set_states(Doubles t, std::uint32_t* states) const noexcept {
         const double* at = crossings_;
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             std::uint32_t inside = 0;
@@ -180,7 +180,7 @@ class SolidLanes {
     }
 
     /// Returns the rays that need no further crossings.
-    std::uint32_t accept(std::uint32_t hit, Doubles at) {
+    std::uint32_t accept(std::uint32_t hit, Doubles at) noexcept {
         alignas(64) double t[lane_count<double>()];
         store(at, t);
         std::uint32_t done = 0;

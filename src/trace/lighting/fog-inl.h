@@ -46,7 +46,7 @@ constexpr double k_least_falloff = 1e-9;
 /// f of fog on the ground, from points on lines with these directions on. scale: the fog's distance by t.
 HWY_NOINLINE inline Doubles ground_fog_visibility(const Fog& fog, const Vector3<Doubles>& from,
                                                   const Vector3<Doubles>& direction, Doubles scale,
-                                                  Doubles t) {
+                                                  Doubles t) noexcept {
     const Vector3<Doubles> up = lanes_of(glint::normalize(fog.up));
     const double unit = number::max(fog.falloff, k_least_falloff);
     constexpr int k_lanes = lane_count<double>();

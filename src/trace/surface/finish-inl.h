@@ -68,7 +68,7 @@ HWY_INLINE Vector3<Doubles> highlight_tint(const MaterialLanes& material, const 
 
 /// S^n of the second highlight, or 0.
 inline HWY_NOINLINE Doubles phong_power_of(const MaterialLanes& material, const FinishRules& finish,
-                                           Cosines<Doubles> phong, const LightingRules& rules) {
+                                           Cosines<Doubles> phong, const LightingRules& rules) noexcept {
     const Doubles zero(0);
     if (!finish.phong) return zero;
     const auto bright = has_highlight(phong, rules);
