@@ -176,13 +176,15 @@ struct ExplainedHit {
     Color emission;                  ///< k_e
     /// Added to the pixel: ambient, diffuse, specular and emission times weight and local_share.
     Color parts[4];
-    bool transparent = false;  ///< Material::filter or transmit: `transmitted` goes straight through
+    bool transparent = false;  ///< Material::filter or transmit: `transmitted` goes straight through,
+                               ///< or is refracted (Material::refracts)
     double opacity = 1;        ///< of a transparent surface, by the convention `opacity`
     /// Of a transparent surface: the factor of what is behind it, transmit + filter * color. With
     /// Material::angled_opacity, transmit is 1 - the opacity at this angle.
     Color through{1, 1, 1};
     double highlight_share = 1;  ///< the factor of the surface's highlights, as local_share of the rest
-    double fresnel = 0;          ///< for glass: the reflected fraction; 1: total internal reflection
+    double fresnel = 0;          ///< for glass: the reflected fraction; 1: total internal reflection, also of
+                                 ///< transparent surfaces (Material::refracts)
     ExplainedSecondaryRay reflected, transmitted;
     int triangle = -1;  ///< of a mesh, from 0; -1: the shape has no mesh
     /// Of a mesh: the weights of the triangle's corners at P (its barycentric coordinates), by which normals

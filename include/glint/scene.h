@@ -312,6 +312,10 @@ struct Material {
     /// (glTF's doubleSided = false). No effect if `transmission` > 0: refracted rays have to leave.
     bool one_sided = false;
 
+    /// Rays that a transparent surface lets through are refracted by `ior`, into and out of a closed shape.
+    /// Where no light gets through (total reflection), the mirror ray has it.
+    bool refracts = false;
+
     constexpr bool is_transparent() const { return filter > 0 || transmit > 0; }
 };
 

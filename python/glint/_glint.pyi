@@ -241,6 +241,7 @@ class Material:
         interior: int = ...,
         texture: Optional[Texture] = ...,
         one_sided: bool = ...,
+        refracts: bool = ...,
     ) -> None: ...
     name: str
     color: _ColorField
@@ -272,6 +273,7 @@ class Material:
     interior: int
     texture: Optional[Texture]
     one_sided: bool
+    refracts: bool
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> Material: ...
     def __deepcopy__(self, memo: Dict[Any, Any]) -> Material: ...

@@ -100,7 +100,8 @@ class Tree {
         }
         add_hit(r, depth + 1);
         add_secondary_ray(r.hit->reflected, "mirror", depth + 1);
-        add_secondary_ray(r.hit->transmitted, r.hit->transparent ? "straight through" : "glass", depth + 1);
+        const bool is_straight = r.hit->transparent && !material_of(*r.hit, scene_).refracts;
+        add_secondary_ray(r.hit->transmitted, is_straight ? "straight through" : "glass", depth + 1);
     }
 
     // The rays, and how many of them are not shown.
@@ -194,6 +195,8 @@ class Tree {
                        fmt::format("transparent: opacity {}, what is behind times {}{}", number(hit.opacity),
                                    color(hit.through),
                                    material_of(hit, scene_).angled_opacity ? ", at this angle" : ""));
+        if (hit.transparent && hit.fresnel == 1)
+            text_.line(depth + 1, "total internal reflection: all of the light is that of the mirror ray");
         if (hit.local_share != 1 || r.parent >= 0) {
             const Color part = hit.own_light();
             std::string factors;

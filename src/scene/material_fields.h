@@ -100,6 +100,8 @@ inline constexpr ItemField<Material> k_material_fields[] = {
      .otherwise = "none"},
     {"one_sided", "one_sided", "one-sided", bool_field(&Material::one_sided),
      "true: rays that come from behind pass the surface; without effect if transmission > 0"},
+    {"refracts", "refracts", "refracts", bool_field(&Material::refracts),
+     "true: ior refracts the rays that filter and transmit let through"},
 };
 
 /// A key of .glint that gives a field as a factor of the color.

@@ -44,7 +44,8 @@ template <class Column> struct RayFields {
     Column start, level, passed;
     Column medium;  // for Beer's law: the index of the material inside which the ray travels; k_none: air
     Column path;    // for sampled numbers: the path of math/sample_hash.h
-    // Of all rays, if tracked: the objects that the ray is inside (FogInteriors), a 32-bit word.
+    // Of all rays, if tracked: the objects that the ray is inside (Interiors), and the last one of them
+    // (pass_surface() of trace/secondary/transparent_refraction-inl.h).
     Column interiors;
 };
 
@@ -76,7 +77,7 @@ class RayBatch : public RayFields<GrowingColumn> {
     bool alpha = false;        // alpha is wanted
     bool transparent = false;  // the scene has transparent surfaces
     bool hashed = false;       // hashes are wanted (trace/rays/ray_hash-inl.h)
-    bool tracked = false;      // rays know the objects that they are inside (FogInteriors)
+    bool tracked = false;      // rays know the objects that they are inside (Interiors)
 
     void clear() {
         count = 0;

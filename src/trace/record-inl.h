@@ -92,8 +92,8 @@ inline void record_rays(const WorldParts& world, const RayBatch& rays, const Hit
         ray.beyond_limit = ray.t_min >= k_blind_t_min;
         ray.t = hits.t[static_cast<std::size_t>(i)];
         ray.weight = camera ? Color{1, 1, 1} : color_at(rays.weight, number);
-        ray.inside_object =
-            rays.tracked && world.has_lighting() && rays.interiors[static_cast<std::size_t>(number)] > 0;
+        ray.inside_object = rays.tracked && world.has_lighting() &&
+                            is_outside_fog(world, rays.interiors[static_cast<std::size_t>(number)]);
         if (ray.t < k_infinity) {
             if (world.fog && world.has_lighting()) {
                 const auto h = static_cast<int>(record.batch.size());

@@ -358,6 +358,8 @@ export interface MaterialValues {
     texture: number | null;
     /** true: rays that come from behind pass the surface; without effect if transmission > 0 */
     one_sided: boolean;
+    /** true: ior refracts the rays that filter and transmit let through */
+    refracts: boolean;
 }
 
 export interface RayTerms {

@@ -56,14 +56,23 @@ struct AmbientLight {
     Color color;
 };
 
-/// The objects that rays are inside, for FogExtent::outside_objects. A set of objects is the exclusive or of
-/// their words (interior_word() of world/appearance/appearance.h): 0 is the empty set, and a surface that is
-/// passed adds its object or removes it. Two objects never have the same word; more have the word 0 in one of
-/// 2^32 cases.
-struct FogInteriors {
+/// The objects that rays are inside, for FogExtent::outside_objects and Material::refracts. A set of objects
+/// is the exclusive or of their words (interior_word() of world/appearance/appearance.h): 0 is the empty set,
+/// and a surface that is passed adds its object or removes it. Two objects never have the same word; more
+/// have the word 0 in one of 2^32 cases.
+struct Interiors {
     bool tracked = false;      // rays know theirs: a surface lets light through, or the camera is inside
+    bool without_fog = false;  // FogExtent::outside_objects
     std::uint32_t camera = 0;  // the objects that contain all points where camera rays start
     std::vector<std::uint32_t> cutting;  // slots of shapes that contain some of them (orthographic cameras)
+    struct Refracting {
+        std::uint32_t word = 0;
+        double ior = 1;
+        bool hollow = false;
+        auto operator<=>(const Refracting&) const = default;
+    };
+    std::vector<Refracting> refracting;  // the objects that refract, by word
+    bool has_hollow = false;             // some of these are
 };
 
 /// Which surface is hit if a ray hits several at one t, in the order of PackedGeometry::precedes(). `last` is
@@ -100,7 +109,7 @@ struct WorldParts {
     PreparedCamera camera;
     Conventions conventions;
     RenderSettings settings;
-    FogInteriors interiors;
+    Interiors interiors;
     TracerFault fault = TracerFault::none;  // for compare
     TieRule ties = TieRule::first;          // for check
 

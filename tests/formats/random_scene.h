@@ -193,6 +193,7 @@ class RandomScene {
         if (pick(4) == 0) m.outline = fraction(), m.outline_width = fraction();
         if (pick(4) == 0) m.hollow = true;
         if (pick(4) == 0) m.one_sided = true;
+        if (pick(4) == 0) m.refracts = true;
         if (pick(4) == 0) m.interior = static_cast<std::int32_t>(pick(1000)) + 1;
         if (pick(3) == 0) {
             m.transmission = 0;

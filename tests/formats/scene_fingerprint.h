@@ -74,7 +74,7 @@ class SceneFingerprint {
         add(m.emission), add(m.brilliance), add(m.metallic), add(m.phong), add(m.phong_shininess);
         add(m.tinted_highlight), add(m.mirror_falloff), add(m.mirror_min), add(m.mirror_metallic);
         add(m.filter), add(m.transmit), add(m.outline), add(m.outline_width), add(m.angled_opacity);
-        add(m.hollow), add(m.one_sided), add(static_cast<double>(m.interior));
+        add(m.hollow), add(m.one_sided), add(m.refracts), add(static_cast<double>(m.interior));
     }
     void add(const Affine& map) {
         for (const auto& row : map.m) {

@@ -118,7 +118,7 @@ inline void add_misses(const WorldParts& world, const RayBatch& rays, const HitB
     for_each_miss(hits, range, [&](int ray, LaneMask<double> missed) HWY_ATTR {
         Doubles visibility = background_visibility(world, rays, ray);
         if (fog && rays.tracked)
-            visibility = select(load(rays.interiors.data() + ray) > Doubles(0), Doubles(1), visibility);
+            visibility = select(are_outside_fog(world, rays.interiors.data() + ray), Doubles(1), visibility);
         if (fog && has_blind)
             visibility =
                 select(load(rays.t_min.data() + ray) >= Doubles(k_blind_t_min), Doubles(1), visibility);
@@ -312,7 +312,8 @@ inline void resolve(const TileJob& job, const Film& film, int n) {
 /// Fills a tile whose rays all hit nothing. The pixels are the same as those of resolve().
 inline void fill_background(const WorldParts& world, const TileJob& job, int n) {
     const int samples = n * n;
-    const bool in_fog = has_fog_on_background(world) && world.interiors.camera == 0;
+    const bool in_fog =
+        has_fog_on_background(world) && !is_outside_fog(world, static_cast<double>(world.interiors.camera));
     const FoggedBackground seen =
         fogged_background(world, miss_color(world), in_fog ? world.fog->transmit : 1);
     NarrowFloats r, g, b;

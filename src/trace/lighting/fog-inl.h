@@ -12,7 +12,7 @@
 #include "simd/vec3-inl.h"
 #include "trace/batches.h"
 #include "trace/lighting/ground_fog.h"
-#include "world/world.h"
+#include "world/appearance/appearance.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
@@ -88,6 +88,16 @@ inline FoggedBackground fogged_background(const WorldParts& world, Color color, 
     return {visibility, color * visibility, world.fog->color * (1 - visibility)};
 }
 
+/// Which rays of a vector have no fog, by their RayFields::interiors.
+HWY_INLINE LaneMask<double> are_outside_fog(const WorldParts& world, const double* interiors) {
+    if (!world.interiors.has_hollow)
+        return load(interiors) > Doubles(world.interiors.without_fog ? 0 : k_infinity);
+    std::uint32_t bits = 0;
+    for (int k = 0; k < lane_count<double>(); ++k)
+        bits |= (is_outside_fog(world, interiors[k]) ? 1u : 0u) << k;
+    return from_bits<double>(bits);
+}
+
 /// Multiplies the weights of surfaces by f, and computes the light of the fog in front of them.
 inline void apply_fog(const WorldParts& world, SurfaceBatch& surfaces) {
     if (!world.fog) return;
@@ -100,7 +110,8 @@ inline void apply_fog(const WorldParts& world, SurfaceBatch& surfaces) {
         } else {
             f = fog_visibility(*world.fog, t * scale);
         }
-        if (surfaces.tracked) f = select(load(surfaces.interiors.data() + h) > Doubles(0), Doubles(1), f);
+        if (surfaces.tracked)
+            f = select(are_outside_fog(world, surfaces.interiors.data() + h), Doubles(1), f);
         const Vector3<Doubles> weight = load_vector3(surfaces.weight, h);
         store(f, surfaces.visibility.data() + h);
         store_vector3(weight * lanes_of(world.fog->color) * (Doubles(1) - f), surfaces.fog, h);

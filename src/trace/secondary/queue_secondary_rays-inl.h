@@ -12,6 +12,7 @@
 #include "trace/record-inl.h"
 #include "trace/secondary/ray_weights-inl.h"
 #include "trace/secondary/secondary_rays-inl.h"
+#include "trace/secondary/transparent_refraction-inl.h"
 #include "trace/surface/faulty_normals-inl.h"
 #include "trace/surface/surface-inl.h"
 
@@ -92,13 +93,6 @@ HWY_INLINE Doubles material_numbers(const std::uint32_t* material) {
     return load(lanes);
 }
 
-/// The objects that rays are inside after they have passed a vector of surfaces (FogInteriors).
-HWY_INLINE Doubles passed_interiors(const WorldParts& world, const SurfaceBatch& surfaces, int h) {
-    alignas(k_ray_alignment) double words[lane_count<double>()];
-    for (int k = 0; k < lane_count<double>(); ++k) words[k] = interior_word(world, surfaces.surface(h + k));
-    return to_doubles(to_words(load(surfaces.interiors.data() + h)) ^ to_words(load(words)));
-}
-
 /// Sets the rays straight through the transparent surfaces `through`: they go on along the same line.
 HWY_INLINE void go_straight(const WorldParts& world, const SurfaceBatch& surfaces, int h,
                             LaneMask<double> through, LaneMask<double> at_limit, SecondaryRays& rays) {
@@ -146,8 +140,12 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
     const auto from_inside = refracts && load(surfaces.behind.data() + h) > zero;
     const Vector3<Doubles> weight = load_vector3(surfaces.weight, h);
     SecondaryWeights b = secondary_weights<plain>(world, material, surface, a, refracts, from_inside, weight);
-    if (transparent && any(through))
+    auto straight = through;
+    if (transparent && any(through)) {
         weight_straight_rays(world, transparency_of(world, material, surfaces, h), through, weight, b);
+        if (world.uses<&Material::refracts>())
+            straight = and_not(through, refract_straight_rays(world, surfaces, h, surface, through, b));
+    }
     // If plain, none are: queue_secondary_rays() has returned.
     const auto at_limit = plain ? through : are_at_limit(world, surfaces, h);
     const bool back = !plain && sees_back(world) && any(at_limit);
@@ -196,7 +194,7 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
     if (record != nullptr)
         record_secondary_rays(
             world, *record, h,
-            {has_secondary, glass, through, reflected, transmitted, and_not(has_secondary, may_start)},
+            {has_secondary, glass, straight, reflected, transmitted, and_not(has_secondary, may_start)},
             b.reflected, b.transmitted, b.fresnel);
     if (!any(transmitted)) return;
     start(spawn_transmitted_ray(surface, b.refracted_direction, rules));
@@ -207,9 +205,9 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
         rays.medium = select(from_inside, none, own);
         if (transparent) rays.medium = select(through, load(surfaces.medium.data() + h), rays.medium);
     }
-    if (transparent && any(through)) go_straight(world, surfaces, h, through, at_limit, rays);
+    if (transparent && any(straight)) go_straight(world, surfaces, h, straight, at_limit, rays);
     if (back) go_back(surfaces, h, at_limit, rays);
-    if (tracked) rays.interiors = passed_interiors(world, surfaces, h);
+    if (tracked) rays.interiors = passed_interiors(world, surfaces, h, transmitted);
     if (hashed) rays.path = child_paths(surfaces, h, true);
     push<plain>(secondary.transmitted, rays, transmitted, surfaces, beer);
     counts.transmitted += static_cast<std::uint64_t>(count(transmitted));

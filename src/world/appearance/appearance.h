@@ -73,16 +73,42 @@ inline std::array<double, k_material_values> surface_values(const WorldParts& wo
     return values;
 }
 
-/// The word of the object to which the surface belongs (FogInteriors); 0: it is hollow.
+/// Whether rays through the surface are refracted (Material::refracts).
+inline bool refracts(const WorldParts& world, SurfaceId id) {
+    return world.uses<&Material::refracts>() &&
+           world.extended_row(material_row(world, id))[k_extended_value<&Material::refracts>] > 0;
+}
+
+/// The word of the object to which the surface belongs (Interiors); 0: it changes nothing for rays inside.
 inline std::uint32_t interior_word(const WorldParts& world, SurfaceId id) {
+    const bool bends = refracts(world, id);
+    if (!bends && !world.interiors.without_fog) return 0;
     std::uint32_t number = world.geometry->shape_of(id);
     if (!world.extended->empty()) {
         const double* const values = world.extended_row(material_row(world, id));
-        if (values[k_extended_value<&Material::hollow>] > 0) return 0;
+        if (!bends && values[k_extended_value<&Material::hollow>] > 0) return 0;
         const double interior = values[k_extended_value<&Material::interior>];
         if (interior > 0) number = 0x80000000u | static_cast<std::uint32_t>(interior);
     }
     return lowbias32(number + 1);
+}
+
+/// The refracting object that is the only one of a set (Interiors), or null: there is none, or several.
+inline const Interiors::Refracting* only_refracting(const WorldParts& world, std::uint32_t set) {
+    const auto& all = world.interiors.refracting;
+    const auto at =
+        std::lower_bound(all.begin(), all.end(), set,
+                         [](const Interiors::Refracting& a, std::uint32_t b) { return a.word < b; });
+    return at != all.end() && at->word == set ? &*at : nullptr;
+}
+
+/// Whether a ray has no fog, by its RayFields::interiors. Only one hollow object that refracts is known.
+inline bool is_outside_fog(const WorldParts& world, double interiors) {
+    if (!world.interiors.without_fog || !(interiors > 0)) return false;
+    if (!world.interiors.has_hollow) return true;
+    const auto set = static_cast<std::uint32_t>(static_cast<std::uint64_t>(interiors));
+    const Interiors::Refracting* const only = only_refracting(world, set);
+    return only == nullptr || !only->hollow;
 }
 
 /// Whether the conventions flip the surface's normal towards the incoming ray.

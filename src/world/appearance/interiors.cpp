@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The objects that contain the camera, for fog that is outside of objects.
+// The objects that contain the camera, and those that refract.
 #include "world/appearance/interiors.h"
 
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -43,7 +44,7 @@ bool is_convex(ShapeKind kind) {
     return kind != ShapeKind::torus && kind != ShapeKind::quadric && kind != ShapeKind::solid;
 }
 
-void find_camera_interiors(const WorldParts& parts, FogInteriors& found) {
+void find_camera_interiors(const WorldParts& parts, Interiors& found) {
     const PackedGeometry& geometry = *parts.geometry;
     const CameraOrigins origins(parts.camera);
     for (const ShapeClass& shapes : geometry.classes) {
@@ -53,6 +54,7 @@ void find_camera_interiors(const WorldParts& parts, FogInteriors& found) {
             const std::uint32_t slot = shapes.first + item;
             if (slot < geometry.boxed && !origins.meet(geometry, slot)) continue;
             if (geometry.is_open(geometry.surface_of(slot)) && !is_space) continue;
+            if (interior_word(parts, geometry.surface_of(slot)) == 0) continue;
             std::size_t inside = 0;
             for (const Vec3 point : origins.all()) inside += contains(geometry, slot, point);
             if (inside == origins.count && (is_convex(shapes.kind) || origins.count == 1)) {
@@ -62,6 +64,21 @@ void find_camera_interiors(const WorldParts& parts, FogInteriors& found) {
             }
         }
     }
+}
+
+void find_refracting(const WorldParts& parts, Interiors& found) {
+    const PackedGeometry& geometry = *parts.geometry;
+    auto& all = found.refracting;
+    for (std::uint32_t slot = 0; slot < geometry.count; ++slot) {
+        const SurfaceId id = geometry.surface_of(slot);
+        if (!refracts(parts, id)) continue;
+        const std::uint32_t row = material_row(parts, id);
+        const bool hollow = parts.extended_row(row)[k_extended_value<&Material::hollow>] > 0;
+        all.push_back({interior_word(parts, id), parts.material(row)[k_ior], hollow});
+        found.has_hollow = found.has_hollow || hollow;
+    }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
 }
 
 bool has_glass(const WorldParts& parts) {
@@ -74,8 +91,9 @@ bool has_glass(const WorldParts& parts) {
 }  // namespace
 
 void find_interiors(WorldParts& parts) {
-    FogInteriors& found = parts.interiors;
+    Interiors& found = parts.interiors;
     find_camera_interiors(parts, found);
+    if (parts.uses<&Material::refracts>()) find_refracting(parts, found);
     found.tracked =
         found.camera != 0 || !found.cutting.empty() || parts.has_transparency() || has_glass(parts);
 }

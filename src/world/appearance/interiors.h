@@ -4,13 +4,14 @@
 
 namespace glint {
 
-/// For fog outside of objects: sets parts.interiors, which has its defaults.
+/// Sets what parts.interiors, which has its defaults otherwise, has besides without_fog.
 void find_interiors(WorldParts& parts);
 
 /// Sets parts.interiors from all other parts.
 inline void set_interiors(WorldParts& parts) {
     parts.interiors = {};
-    if (parts.fog && parts.conventions.fog_extent == FogExtent::outside_objects) find_interiors(parts);
+    parts.interiors.without_fog = parts.fog && parts.conventions.fog_extent == FogExtent::outside_objects;
+    if (parts.interiors.without_fog || parts.uses<&Material::refracts>()) find_interiors(parts);
 }
 
 /// The objects that contain a point where a camera ray starts.

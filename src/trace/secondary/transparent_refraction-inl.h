@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// Refraction of the rays that transparent surfaces let through (Material::refracts).
+#if defined(GLINT_TRACE_TRANSPARENT_REFRACTION_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GLINT_TRACE_TRANSPARENT_REFRACTION_INL_H_
+#undef GLINT_TRACE_TRANSPARENT_REFRACTION_INL_H_
+#else
+#define GLINT_TRACE_TRANSPARENT_REFRACTION_INL_H_
+#endif
+
+#include <algorithm>
+
+#include "lighting/glass-inl.h"
+#include "trace/batches.h"
+#include "trace/secondary/ray_weights-inl.h"
+#include "world/appearance/appearance.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace glint {
+namespace HWY_NAMESPACE {
+
+/// n1 / n2 of a ray through a surface, and the objects that it is inside after that.
+struct Passage {
+    double ratio = 1, inside = 0;
+};
+
+/// inside: RayFields::interiors, the word of the set and, times 2^32, 20 bits of the word of the object that
+/// was entered last. A ray travels in that object (POV-Ray, measured). Of more than two objects, the order is
+/// not known; ratio is 1 then.
+inline Passage pass_surface(const WorldParts& world, SurfaceId id, double inside) {
+    const auto both = static_cast<std::uint64_t>(inside);
+    const auto set = static_cast<std::uint32_t>(both), last = static_cast<std::uint32_t>(both >> 32);
+    const std::uint32_t own = interior_word(world, id), rest = set ^ own;
+    const auto mark = [](std::uint32_t word) { return word >> 12; };
+    const auto inside_of = [&](std::uint32_t top) {
+        return static_cast<double>(std::uint64_t{rest} | std::uint64_t{rest != 0 ? top : 0} << 32);
+    };
+    if (!refracts(world, id)) return {1, inside_of(last)};
+    const double ior = world.material(material_row(world, id))[k_ior];
+    if (set == 0) return {1 / ior, inside_of(mark(own))};
+    if (rest == 0) return {ior, 0};
+    if (const auto* const around = only_refracting(world, set))
+        return {around->ior / ior, inside_of(mark(own))};
+    const auto* const around = only_refracting(world, rest);
+    if (around == nullptr || last != mark(own)) return {1, inside_of(last)};
+    return {ior / around->ior, inside_of(mark(rest))};
+}
+
+/// Refracts the rays of those transparent surfaces (`through`) that refract: sets b.refracted_direction, and
+/// gives all light to the mirror ray where there is total reflection (POV-Ray, measured). Returns the
+/// surfaces whose rays have another direction.
+inline LaneMask<double> refract_straight_rays(const WorldParts& world, const SurfaceBatch& surfaces, int h,
+                                              const SurfacePoint<Doubles>& surface, LaneMask<double> through,
+                                              SecondaryWeights& b) {
+    alignas(k_ray_alignment) double ratios[lane_count<double>()];
+    std::fill_n(ratios, lane_count<double>(), 1.0);
+    for (std::uint32_t bits = to_bits(through); bits != 0; bits &= bits - 1) {
+        const int k = __builtin_ctz(bits);
+        const auto at = static_cast<std::size_t>(h + k);
+        ratios[k] = pass_surface(world, surfaces.surface(h + k), surfaces.interiors[at]).ratio;
+    }
+    const Doubles ratio = load(ratios), one(1), zero(0);
+    const auto bent = ratio < one || ratio > one;
+    if (!any(bent)) return bent;
+    const auto away = dot(surface.normal, surface.incoming) > zero;
+    const Vector3<Doubles> facing = select_vector3(away, -surface.normal, surface.normal);
+    const auto refraction = refracted(surface.incoming, facing, ratio);
+    const auto total = bent && refraction.total;
+    b.refracted_direction = select_vector3(bent, refraction.direction, b.refracted_direction);
+    b.reflected = select_vector3(total, load_vector3(surfaces.weight, h), b.reflected);
+    b.transmitted = select_vector3(total, b.transmitted * zero, b.transmitted);
+    b.fresnel = select(total, one, b.fresnel);
+    return bent;
+}
+
+/// RayFields::interiors of the rays `of` through a vector of surfaces.
+inline Doubles passed_interiors(const WorldParts& world, const SurfaceBatch& surfaces, int h,
+                                LaneMask<double> of) {
+    alignas(k_ray_alignment) double inside[lane_count<double>()] = {};
+    for (std::uint32_t bits = to_bits(of); bits != 0; bits &= bits - 1) {
+        const int k = __builtin_ctz(bits);
+        const auto at = static_cast<std::size_t>(h + k);
+        inside[k] = pass_surface(world, surfaces.surface(h + k), surfaces.interiors[at]).inside;
+    }
+    return load(inside);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace glint
+HWY_AFTER_NAMESPACE();
+
+#endif
