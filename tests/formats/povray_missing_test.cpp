@@ -63,22 +63,40 @@ TEST(PovRayMissing, ParallelLightsBelowAPolygon) {
               std::string::npos);
 }
 
-TEST(PovRayMissing, ClearSolidsRefract) {
+TEST(PovRayMissing, RefractionOfThreeObjectsWithinEachOther) {
     const std::string glass = "pigment { rgbt 1 } interior { ior 1.5 } }";
     const Scene scene = povray_scene("sphere { 0, 1 " + glass);
-    EXPECT_EQ(scene.materials.at(0).transmission, 1);
+    EXPECT_EQ(scene.materials.at(0).transmit, 1);
     EXPECT_EQ(scene.materials.at(0).ior, 1.5);
-    EXPECT_FALSE(scene.materials.at(0).casts_shadow);
-    EXPECT_EQ(said("sphere { 0, 1 " + glass + " cylinder { 2*x, 3*x, 1 " + glass), "");
-    for (const std::string& text : {
-             "sphere { 0, 1 " + glass + " sphere { x, 1 " + glass,
-             std::string("sphere { 0, 1 pigment { rgbt <1, 1, 1, .5> } interior { ior 1.5 } }"),
-             "box { 0, 1 " + glass,
-             "cylinder { 0, x, 1 open " + glass,
-             "sphere { 0, 1 finish { reflection .1 } " + glass,
-         }) {
-        EXPECT_NE(said(text).find("warning: glint does not render `ior`"), std::string::npos) << text;
+    EXPECT_TRUE(scene.materials.at(0).refracts);
+    const std::string two = "sphere { 0, 1 " + glass + " box { 0, 1 " + glass;
+    for (const std::string& text :
+         {two, two + " sphere { 9*x, 1 " + glass, two + " sphere { 0, 1 }",
+          "union { sphere { 0, 1 } sphere { x, 1 } sphere { y, 1 } sphere { z, 1 } " + glass})
+        EXPECT_EQ(said(text), "") << text;
+    for (const std::string& text :
+         {two + " cylinder { 0, x, 1 open " + glass, two + " sphere { x, 1 pigment { rgbt .5 } }"}) {
+        EXPECT_NE(said(text).find("`ior` (of three transparent objects within each other)"),
+                  std::string::npos)
+            << text << said(text);
     }
+    const std::string fog = "fog { distance 9 color rgb 1 } ";
+    EXPECT_EQ(said(fog + "sphere { 0, 1 " + glass), "");
+    EXPECT_EQ(said(fog + "sphere { 0, 1 hollow " + glass), "");
+    EXPECT_NE(said(fog + "box { 0, 1 " + glass + "sphere { 0, 1 hollow " + glass).find("hollow objects"),
+              std::string::npos);
+    EXPECT_NE(said("sphere { 0, 1 pigment { rgbt 1 } interior { ior 0 } }").find("`ior` (of 0 or less)"),
+              std::string::npos);
+}
+
+TEST(PovRayMissing, TransparentObjectsHaveAnIndexOf1BesideOthersThatRefract) {
+    const std::string clear = "sphere { 5*x, 1 pigment { rgbf .5 } }";
+    EXPECT_FALSE(povray_scene(clear).materials.at(0).refracts);
+    const Scene scene =
+        povray_scene(clear + "sphere { 0, 1 pigment { rgbf 1 } interior { ior 1.5 } } sphere { y, 1 }");
+    EXPECT_TRUE(scene.materials.at(0).refracts);
+    EXPECT_EQ(scene.materials.at(0).ior, 1);
+    EXPECT_FALSE(scene.materials.at(2).refracts);
 }
 
 TEST(PovRayMissing, NothingThatIsNamedHidesAnother) {

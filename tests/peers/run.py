@@ -25,6 +25,7 @@ import output
 import patterns
 import pov
 import quadrics
+import refraction
 import sky
 import solids
 import sweeps
@@ -33,7 +34,7 @@ import transparency
 
 SHARE = 0.99
 LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES, output.RULES, dat.RULES, pov.RULES,
-         images.RULES, layers.RULES, averages.RULES, patterns.RULES, quadrics.RULES, solids.RULES, sweeps.RULES, height_fields.RULES, tori.RULES]
+         images.RULES, layers.RULES, averages.RULES, patterns.RULES, quadrics.RULES, refraction.RULES, solids.RULES, sweeps.RULES, height_fields.RULES, tori.RULES]
 
 
 def read_ppm(path):

@@ -10,8 +10,8 @@ namespace glint::povray {
 // What is cut and casts no shadow stays whole if it is outside the picture.
 void SceneBuilder::check_clips() {
     const auto& all = scene_.materials;
-    const bool has_mirrors = std::any_of(
-        all.begin(), all.end(), [](const Material& m) { return m.mirror > 0 || m.transmission > 0; });
+    const bool has_mirrors =
+        std::any_of(all.begin(), all.end(), [](const Material& m) { return m.mirror > 0 || m.refracts; });
     for (const UncutShape& uncut : clips_) {
         if (stream_.failed()) return;
         if (!has_mirrors && !is_seen(*uncut.clip, scene_)) continue;
@@ -29,18 +29,16 @@ void SceneBuilder::check_clips() {
 void SceneBuilder::finish(const Token& scene_at) {
     check_parallel_lights();
     check_no_reflection();
-    check_glass();
     check_clips();
     check_size(scene_at);
     check_bailout();
     use_interiors();
+    check_refraction();
 }
 
 // `no_reflection` matters only where something reflects.
 void SceneBuilder::check_no_reflection() {
-    const auto reflects = [](const Material& m) {
-        return m.mirror > 0 || m.mirror_min > 0 || m.transmission > 0;
-    };
+    const auto reflects = [](const Material& m) { return m.mirror > 0 || m.mirror_min > 0 || m.refracts; };
     if (no_reflection_ && std::any_of(scene_.materials.begin(), scene_.materials.end(), reflects))
         report({"no_reflection", "", *no_reflection_});
 }

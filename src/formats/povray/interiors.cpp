@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which shapes are one object, and which are hollow: fog is only outside of objects.
+// Which shapes are one object, for refraction and for fog, which is only outside of objects, and which are
+// hollow.
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -63,10 +64,13 @@ void SceneBuilder::note_inside(const Object& object, const Inherited& own, std::
         with_inside_.push_back({first, scene_.shapes.size(), object.at});
 }
 
-// Gives the shapes materials with their interiors, if the scene has fog.
+// Gives the shapes materials with their interiors, if the scene has fog or refraction.
 void SceneBuilder::use_interiors() {
-    if (!scene_.fog) return;
-    check_camera_in_fog();
+    const auto& all = scene_.materials;
+    const bool refracts = std::any_of(all.begin(), all.end(), [](const Material& m) { return m.refracts; });
+    if (!scene_.fog && !refracts) return;
+    if (refracts) make_all_refract();
+    if (scene_.fog) check_camera_in_fog();
     if (interiors_.empty()) return;
     using Kind = std::tuple<std::uint32_t, std::int32_t, bool>;  // material, body, hollow
     CountedMap<Kind, std::uint32_t> materials;
@@ -77,8 +81,9 @@ void SceneBuilder::use_interiors() {
     const auto use = [&](std::uint32_t& material, bool has) {
         if (material >= given) return true;
         const Material& m = scene_.materials[material];
-        const bool lets_through = m.is_transparent() || m.transmission > 0;
-        const Kind kind{material, has && lets_through ? range->body : 0, has && range->is_hollow};
+        const bool lets_through = scene_.fog ? m.is_transparent() : m.refracts;
+        const Kind kind{material, has && lets_through ? range->body : 0,
+                        has && scene_.fog && range->is_hollow};
         const auto [known, is_new] = materials.try_emplace(kind, material);
         if (is_new) {
             // The first kind keeps the material's number.

@@ -79,14 +79,14 @@ std::uint32_t SceneBuilder::material_of(const Inherited& own, const Token& at) {
     const Finish& f = texture.finish;
     const Look look = look_of(own, at);
     const std::array<double, 5>& p = look.color;
-    const double glass = glass_of(own);
+    const double ior = ior_of(own);
     NumberTable<35>::Key key;
     const TextureNumbers numbers = numbers_of(texture);
     *std::copy(numbers.begin(), numbers.end(), key.begin()) = own.is_no_shadow ? 1.0 : 0.0;
     std::copy(p.begin(), p.end(), key.begin());
     key[numbers.size() - 2] = look.image == k_none ? 0 : look.image + 1.0;
     key[numbers.size() - 1] = 0;
-    key.back() = glass > 0 ? own.interior->ior : 0.0;
+    key.back() = ior;
     const bool is_last = last_material_ != k_none && key == last_key_;
     if (is_last && is_last_plain_ && has_nothing_else(texture, own.interior, own.is_merge))
         return last_material_;
@@ -126,13 +126,8 @@ std::uint32_t SceneBuilder::material_of(const Inherited& own, const Token& at) {
     m.filter = std::clamp(p[3], 0.0, 1.0);
     m.transmit = std::clamp(p[4], 0.0, 1.0 - m.filter);
     m.casts_shadow = !own.is_no_shadow;
-    if (glass > 0) {
-        m.filter = m.transmit = 0;
-        m.transmission = glass;
-        m.ior = own.interior->ior;
-        for (Color* matte : {&m.ambient, &m.diffuse, &m.emission}) *matte = *matte * (1 - glass);
-        m.casts_shadow = false;
-    }
+    m.refracts = ior != 1;
+    if (m.refracts) m.ior = ior;
     last_material_ = static_cast<std::uint32_t>(scene_.materials.size());
     note(scene_.material_texts, last_material_, stream_.place_of(stream_.call_place(at)));
     scene_.materials.push_back(m);
@@ -158,8 +153,9 @@ void SceneBuilder::report_texture(const Inherited& own, const Token& at) {
     };
     check(p[3] < 0 || p[4] < 0 || p[3] + p[4] > 1 + 1e-9, "filter, transmit", "with a sum beyond 0 and 1");
     if (is_transparent && own.interior) report(own.interior->missing);
-    check(is_transparent && own.interior && own.interior->ior != 1 && !(glass_of(own) > 0), "ior",
-          "refraction");
+    check(is_transparent && own.interior && !(own.interior->ior > 0), "ior", "of 0 or less");
+    if (is_transparent && own.is_hollow) hollow_at_ = stream_.call_place(at);
+    if (ior_of(own) != 1) refracts_at_ = stream_.call_place(at);
     check(is_transparent && f.has_no_refraction, "refraction", "of 0");
     check(is_transparent && own.is_merge, "merge", "of transparent surfaces");
     check(!is_one_finish, "layered textures",

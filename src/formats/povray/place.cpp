@@ -136,7 +136,7 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
     if (own.in_solid || own.clips) finish_operand(object, own, first);
     if (own.in_solid) return;
     if (own.clips && scene_.shapes.size() > first) {
-        note_solid(first, own, object.at);
+        note_solid(first, own);
     } else {
         note_interior(first, own);
     }
@@ -144,9 +144,6 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
 
 void SceneBuilder::place_shape(const Object& o, const Inherited& from) {
     Inherited own = from;
-    const bool has_ends = o.kind == ObjectKind::cylinder || o.kind == ObjectKind::cone;
-    own.is_solid = o.kind == ObjectKind::sphere || (has_ends && !o.is_open) ||
-                   (o.kind == ObjectKind::torus && o.s < o.r);
     std::optional<Affine> sphere;
     const bool is_whole = own.uv_source != UvSource::unknown;  // not a part of a sphere_sweep
     if (o.kind == ObjectKind::sphere && is_whole && (own.texture->pigment.image || own.texture->below)) {
@@ -156,7 +153,6 @@ void SceneBuilder::place_shape(const Object& o, const Inherited& from) {
     }
     if (o.kind == ObjectKind::box || o.kind == ObjectKind::torus) own.uv_source = UvSource::unknown;
     const std::uint32_t material = material_of(own, o.at);
-    const auto first = static_cast<std::uint32_t>(scene_.shapes.size());
     const Affine* map = own.map;
     const double factor = map ? similarity(*map) : 1;
     const auto point = [&](Vec3 p) { return map ? transform_point(*map, p) : p; };
@@ -242,11 +238,6 @@ void SceneBuilder::place_shape(const Object& o, const Inherited& from) {
                                {normal((*o.normals)[0]), normal((*o.normals)[1]), normal((*o.normals)[2])}},
                 material, nullptr, o.at);
         }
-    }
-    const bool is_alone = !own.in_solid && !own.clips;
-    if (is_alone && scene_.shapes.size() > first && scene_.materials[material].transmission > 0) {
-        glass_.push_back(first);
-        glass_at_ = o.at;
     }
 }
 

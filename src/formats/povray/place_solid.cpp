@@ -175,17 +175,10 @@ bool SceneBuilder::add_clips(const Object& object, const Inherited& from, Inheri
 }
 
 // The solid is whole.
-void SceneBuilder::note_solid(std::size_t index, const Inherited& own, const Token& at) {
+void SceneBuilder::note_solid(std::size_t index, const Inherited& own) {
     Shape& shape = scene_.shapes[index];
     if (shape.kind == ShapeKind::solid) {
         auto& operands = scene_.solids[scene_.get<Solid>()[shape.index].solid].operands;
-        const bool refracts = std::any_of(operands.begin(), operands.end(), [&](const Shape& operand) {
-            return scene_.materials[operand.material].transmission > 0;
-        });
-        if (refracts) {
-            glass_.push_back(static_cast<std::uint32_t>(index));
-            glass_at_ = at;
-        }
         const bool is_of_one = std::all_of(operands.begin(), operands.end(), [&](const Shape& operand) {
             return operand.material == shape.material;
         });
@@ -239,7 +232,7 @@ void SceneBuilder::place_parts(const Object& object, const Inherited& own) {
     Inherited whole = own;
     if (!is_solid) whole.clips.reset();
     finish_operand(object, whole, first);
-    if (!own.in_solid) note_solid(first, own, object.at);
+    if (!own.in_solid) note_solid(first, own);
 }
 
 }  // namespace glint::povray

@@ -61,7 +61,6 @@ class SceneBuilder {
         const Affine* sphere = nullptr;  // of UvSource::sphere: the place of one of radius 1
         const Opaque* interior = nullptr;
         bool is_no_shadow = false, is_merge = false;
-        bool is_solid = false;  // a shape whose inside is known
         // Of the interior: that of the whole object, or of a part that has its own.
         std::optional<bool> hollow;  // the outermost `hollow`
         bool has_interior = false, is_hollow = false;
@@ -82,7 +81,7 @@ class SceneBuilder {
     void finish_operand(const Object& object, const Inherited& own, std::size_t first);
     void combine_from(std::size_t first, SolidOperation operation, const Token& at);
     bool add_clips(const Object& object, const Inherited& from, Inherited& own);
-    void note_solid(std::size_t shape, const Inherited& own, const Token& at);
+    void note_solid(std::size_t shape, const Inherited& own);
 
     // place_mesh.cpp
     void place_mesh(const Object& object, const Inherited& own);
@@ -140,7 +139,7 @@ class SceneBuilder {
         Token at;
     };
 
-    // parallel.cpp, glass.cpp, tiny.cpp, finish.cpp: of the whole scene
+    // parallel.cpp, refraction.cpp, tiny.cpp, finish.cpp: of the whole scene
     struct ParallelLight {
         Vec3 position, to_light;
         Token at;
@@ -152,9 +151,10 @@ class SceneBuilder {
         std::size_t shape = 0;
         bool has_inside = false;
     };
-    double glass_of(const Inherited& own) const;
+    static double ior_of(const Inherited& own);
+    void make_all_refract();
+    void check_refraction();
     void check_parallel_lights();
-    void check_glass();
     void check_size(const Token& scene_at);
     void check_bailout();
     void check_no_reflection();
@@ -194,8 +194,7 @@ class SceneBuilder {
     CountedVector<ShapeInteriors> interiors_;  // in the order of the shapes
     CountedVector<ShapesWithInside> with_inside_;
     std::int32_t bodies_ = 0;
-    CountedVector<std::uint32_t> glass_;  // shapes that refract
-    Token glass_at_;                      // the last of them
+    std::optional<Token> refracts_at_, hollow_at_;  // the last object that refracts, and that is hollow, too
     NumberTable<35> materials_;
     NumberTable<20> textures_;
     NumberTable<35>::Key last_key_{};

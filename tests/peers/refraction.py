@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Refraction of transparent objects: of all kinds, solids and meshes, nested and overlapping, with total internal reflection."""
+from pov import CAMERA, LIGHT, rule
+
+HEAD = "#version 3.7;\nglobal_settings { assumed_gamma 1 max_trace_level 12 }\n"
+ROOM = ("plane { y, -0.01 pigment { checker rgb <1, 0.9, 0.8> rgb <0.2, 0.3, 0.2> } finish { ambient 0.2 diffuse 0.7 } }\n"
+        "box { <-3, 0, 2.5>, <3, 2, 3> pigment { rgb <0.9, 0.3, 0.2> } finish { ambient 0.3 diffuse 0.6 } }\n")
+
+
+def glass(color, ior=1.5, kind="rgbf", more="finish { ambient 0 diffuse 0 }"):
+    return f"pigment {{ {kind} {color} }} {more} interior {{ ior {ior} }}"
+
+
+GREEN, VIOLET, PINK = glass("<0.6, 0.9, 0.7, 0.95>"), glass("<0.8, 0.6, 0.9, 0.9>"), glass("<0.95, 0.9, 0.9, 0.95>")
+WATER, AIR = glass("<0.9, 1, 0.9, 0.95>", 1.2), "pigment { rgbf <0.9, 1, 0.9, 0.95> } finish { ambient 0 diffuse 0 }"
+MESH = "".join(f"triangle {{ {a}, {b}, {c} }} " for a, b, c in (
+    ("<-1, 0.1, -0.5>", "<1, 0.1, -0.5>", "<0, 1.8, 0>"), ("<-1, 0.1, -0.5>", "<0, 1.8, 0>", "<0, 0.1, 1>"),
+    ("<1, 0.1, -0.5>", "<0, 0.1, 1>", "<0, 1.8, 0>"), ("<-1, 0.1, -0.5>", "<0, 0.1, 1>", "<1, 0.1, -0.5>")))
+BALL, BOX = "sphere { <0, 1, 0>, 0.9 ", "box { <-0.9, 0.1, -0.6>, <0.9, 1.6, 0.6> "
+
+
+def refraction(name, objects, head=HEAD):
+    return rule("refraction_" + name, ROOM + objects, head=head + CAMERA + LIGHT)
+
+
+RULES = [
+    refraction("sphere", BALL + GREEN + "}"),
+    refraction("two_levels", BALL + GREEN + "}", HEAD.replace("12", "2")),
+    refraction("own_light", BALL + glass("<0.6, 0.9, 0.7, 0.6>", 1.3, "rgbt", "finish { ambient 0.1 diffuse 0.6 phong 0.5 }") + "}"),
+    refraction("mirror", BALL + glass("<0.9, 0.9, 1, 0.9>", 1.5, "rgbf", "finish { ambient 0 diffuse 0.1 reflection 0.2 phong 0.5 }") + "}"),
+    refraction("box", BOX + GREEN + "rotate 30*y }"),
+    refraction("bubble", BOX + glass("<0.8, 0.9, 0.9, 0.9>", 0.8) + "rotate 30*y }"),
+    refraction("mirror_box", BOX + glass("<0.8, 0.9, 0.9, 0.7>", 1.2, "rgbf", "finish { ambient 0 diffuse 0.2 reflection 0.2 }") + "rotate 30*y }"),
+    refraction("cylinder", "cylinder { <-1, 1, 0>, <1, 1, 0>, 0.7 " + VIOLET + "rotate 40*y }"),
+    refraction("cone", "cone { <0, 0.01, 0>, 1, <0, 2, 0>, 0.2 " + VIOLET + "}"),
+    refraction("torus", "torus { 0.8, 0.35 " + VIOLET + "rotate -40*x translate 0.9*y }"),
+    refraction("quadric", "quadric { <1, 1, 2>, <0, 0, 0>, <0, 0, 0>, -0.6 " + GREEN + "translate y }"),
+    refraction("sphere_sweep", "sphere_sweep { linear_spline 3, <-0.8, 0.5, 0>, 0.3, <0, 1.3, 0>, 0.4, <0.8, 0.6, 0>, 0.2 " + GREEN + "}"),
+    refraction("prism", "prism { linear_spline 0, 1.5, 5, <-1, -1>, <1, -1>, <1, 1>, <-1, 0.5>, <-1, -1> " + GREEN + "rotate 20*y scale 0.8 translate 0.1*y }"),
+    refraction("mesh", "mesh { " + MESH + GREEN + "rotate 20*y }"),
+    refraction("disc", "disc { <0, 1, 0>, <0, 0.3, -1>, 0.8 " + VIOLET + "}"),
+    refraction("triangle", "triangle { <-1, 0.1, -0.5>, <1, 0.1, -0.5>, <0, 1.8, 0> " + VIOLET + "}"),
+    refraction("plane", "plane { y, 0.5 " + glass("<0.8, 0.9, 0.95, 0.9>", 1.33) + "}"),
+    refraction("ball_in_water", "plane { y, 0.5 " + glass("<0.8, 0.9, 0.95, 0.9>", 1.33) + "} sphere { <0, 0.6, -1>, 0.5 " + PINK + "}"),
+    refraction("difference", "difference { " + BALL + "} cylinder { <0, 1, -3>, <0, 1, 3>, 0.4 } " + GREEN + "rotate 25*y }"),
+    refraction("half", "intersection { plane { y, 1.2 } " + BALL + "} " + GREEN + "}"),
+    refraction("clipped", BALL + "clipped_by { plane { y, 1.3 } } " + GREEN + "}"),
+    refraction("inverse", BALL + "inverse " + GREEN + "}"),
+    refraction("union", "union { sphere { <-0.3, 1, 0>, 0.7 } sphere { <0.4, 1, 0>, 0.6 } " + GREEN + "}"),
+    refraction("merge", "merge { sphere { <-0.3, 1, 0>, 0.7 } sphere { <0.4, 1, 0>, 0.6 } " + GREEN + "}"),
+    refraction("nested", BALL + PINK + "} sphere { <0.1, 1, 0>, 0.5 " + WATER + "}"),
+    refraction("air_inside", BALL + PINK + "} sphere { <0.1, 1, 0>, 0.5 " + AIR + "}"),
+    refraction("overlapping", "sphere { <-0.3, 1, 0>, 0.7 " + PINK + "} sphere { <0.4, 1, 0>, 0.6 " + WATER + "}"),
+    refraction("beside_opaque", "sphere { <-0.3, 1, 0>, 0.7 " + PINK + "} sphere { <0.4, 1, 0>, 0.6 pigment { rgb <0.9, 1, 0.9> } }"),
+    refraction("camera_inside", "sphere { <0, 1.5, -5>, 2.2 " + PINK + "}"),
+]
