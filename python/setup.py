@@ -23,7 +23,7 @@ PARTS = ["CMakeLists.txt", "cmake", "include", "src", "python/CMakeLists.txt", "
 NEEDS = """glint is built from its C++ sources, which takes some minutes. This needs a C++20 compiler (g++ 12, clang 14 or later),
 CMake 3.25, Ninja, pybind11 2.10 and the libraries of the file NOTICE. On Debian 12 they are in these packages:
   g++ cmake ninja-build pkg-config pybind11-dev libhwy-dev libtbb-dev libfmt-dev libfast-float-dev nlohmann-json3-dev libcli11-dev
-  libstb-dev zlib1g-dev libpng-dev libjpeg62-turbo-dev libopenexr-dev"""
+  libstb-dev zlib1g-dev libpng-dev libjpeg62-turbo-dev libopenexr-dev libfreetype-dev"""
 
 
 class CMakeBuild(build_ext):

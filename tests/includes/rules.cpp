@@ -80,7 +80,7 @@ const std::vector<Module>& modules() {
         {"lighting", {"base", "math", "simd"}, {}},
         {"bvh", {"base", "math", "simd"}, {}},
         {"scene", {"base", "math"}, {"fmt/", "fast_float/"}},
-        {"formats", {"base", "math", "scene", "image"}, {"fmt/", "fast_float/"}},
+        {"formats", {"base", "math", "scene", "image"}, {"fmt/", "fast_float/", "ft2build.h"}},
         {"world",
          all_but({"trace", "explain", "check", "compare", "diagnose", "grade", "image", "journal", "output",
                   "os", "cli", "mpi", "wasm", "export"}),

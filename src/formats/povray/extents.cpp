@@ -168,6 +168,9 @@ class ExtentReader {
         if (object.stands_for == "polygon") return unknown("polygon");
         Extent box;
         for (const Float3& p : vertices) add(box, to_vec3(p));
+#if defined(GLINT_WITH_FREETYPE)
+        if (object.stands_for == "text") return vertices.empty() ? all_space() : after_steps(box, object);
+#endif
         return object.stands_for.empty() ? after_steps(box, object) : mapped(box, map);
     }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Objects: shapes, groups, meshes and lights with their modifiers; and cameras. In objects.cpp, shapes.cpp,
-// modifiers.cpp, meshes.cpp, mesh_lists.cpp, polygons.cpp, prisms.cpp, sweeps.cpp, height_fields.cpp,
-// lights.cpp and camera.cpp.
+// modifiers.cpp, meshes.cpp, mesh_lists.cpp, polygons.cpp, prisms.cpp, glyphs.cpp, sweeps.cpp,
+// height_fields.cpp, lights.cpp and camera.cpp.
 #include <array>
 #include <optional>
 #include <string>
@@ -87,6 +87,11 @@ class ObjectParser : public TextureParser {
     Object read_prism(const Token& word);
     bool read_spline(Object& object, Spline& spline, std::size_t curves);
     void read_flat_points(std::size_t least, Spline spline, FlatLoop& points);
+
+    // glyphs.cpp, in builds with fonts
+    Object read_text(const Token& word);
+    std::string_view font_bytes(Object& text, const Token& at, const std::string& name);
+    void refuse_font(Object& text, const Token& at, const std::string& name, std::string_view why);
 
     // sweeps.cpp
     Object read_lathe(const Token& word);

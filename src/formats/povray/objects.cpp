@@ -158,11 +158,17 @@ ObjectPart ObjectParser::object_of(const Token& name) {
 
 // A shape of POV-Ray that glint does not render: an error if it becomes part of the scene.
 Object ObjectParser::refuse_object(const Token& word) {
+#if defined(GLINT_WITH_FREETYPE)
+    if (text_of(word) == "text") return read_text(word);
+#endif
     Object object;
     object.kind = ObjectKind::refused;
     object.at = word;
     Missing shape = missing(word, text_of(word));
     shape.is_error = true;
+#if !defined(GLINT_WITH_FREETYPE)
+    if (shape.name == "text") shape.meaning = "this build of glint reads no fonts";
+#endif
     object.missing.add(shape);
     skip_block();
     return object;
