@@ -29,12 +29,14 @@ import refraction
 import sky
 import solids
 import sweeps
+import texts
 import tori
 import transparency
 
 SHARE = 0.99
 LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES, output.RULES, dat.RULES, pov.RULES,
-         images.RULES, layers.RULES, averages.RULES, patterns.RULES, quadrics.RULES, refraction.RULES, solids.RULES, sweeps.RULES, height_fields.RULES, tori.RULES]
+         images.RULES, layers.RULES, averages.RULES, patterns.RULES, quadrics.RULES, refraction.RULES, solids.RULES, sweeps.RULES,
+         height_fields.RULES, tori.RULES, texts.RULES]
 
 
 def read_ppm(path):
