@@ -150,6 +150,17 @@ TEST(PovRayText, FindsFontsAsIncludes) {
     EXPECT_EQ(twice.files.size(), 2u) << "read once";
 }
 
+TEST(PovRayText, EqualTextsShareAMesh) {
+    TextSources sources = fonts();
+    const std::string a = "text { ttf \"tiny.ttf\" \"a\" 1, 0 translate x } ";
+    const Scene scene = povray_scene(a + a +
+                                         "text { ttf \"tiny.ttf\" \"a\" 2, 0 } text { ttf \"tiny.ttf\" \"a\" "
+                                         "1, y } text { ttf \"own.ttf\" \"a\" 1, 0 }",
+                                     &sources);
+    EXPECT_EQ(scene.shapes.size(), 5u);
+    EXPECT_EQ(scene.meshes.size(), 4u);
+}
+
 TEST(PovRayText, IsAnObjectLikeOthers) {
     const std::string declared = "#declare T = text { ttf \"tiny.ttf\" \"a\" 1, 0 }\n";
     TextSources sources = fonts();

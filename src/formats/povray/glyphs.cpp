@@ -14,6 +14,12 @@
 #include "formats/povray/standard_includes.h"
 
 namespace glint::povray {
+
+// Those that have been made, by what makes them: scenes have the same letter many times.
+struct TextMeshes {
+    CountedMap<CountedString, std::shared_ptr<const ReadMesh>> meshes;
+};
+
 namespace {
 
 class TextMesh {
@@ -118,6 +124,16 @@ std::uint32_t take_character(std::string_view& text) {
     return is_whole ? code : first;
 }
 
+CountedString key_of(const char* font, std::string_view characters, std::initializer_list<double> numbers) {
+    CountedString key;
+    const auto add = [&](const auto& value) {
+        key.append(reinterpret_cast<const char*>(&value), sizeof(value));
+    };
+    add(font);
+    for (const double number : numbers) add(number);
+    return key.append(characters);
+}
+
 }  // namespace
 
 // The bytes of a font's file: beside the scene, in the folders of includes, or POV-Ray's own. Empty if it is
@@ -202,6 +218,14 @@ Object ObjectParser::read_text(const Token& word) {
     const std::string name(*file);
     const std::string_view bytes = font_bytes(object, file_at, name);
     if (failed() || !object.missing.empty()) return object;
+    if (!text_meshes_) text_meshes_ = std::make_shared<TextMeshes>();
+    const CountedString key = key_of(bytes.data(), *characters, {thickness, offset.x, offset.y});
+    if (const auto known = text_meshes_->meshes.find(key); known != text_meshes_->meshes.end()) {
+        object.mesh = known->second;
+        spend(characters->size());
+        read_modifiers(object);
+        return object;
+    }
     std::string why;
     const std::unique_ptr<Font> font = Font::open(bytes, why);
     if (!font) {
@@ -243,6 +267,7 @@ Object ObjectParser::read_text(const Token& word) {
         text_mesh.add_caps(cap);
         pen = {pen.x + glyph.advance / em + offset.x, pen.y + offset.y};
     }
+    if (object.missing.empty()) text_meshes_->meshes.emplace(key, mesh);
     read_modifiers(object);
     return object;
 }

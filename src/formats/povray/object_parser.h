@@ -14,7 +14,8 @@
 
 namespace glint::povray {
 
-struct Outline;  // polygons.cpp
+struct Outline;     // polygons.cpp
+struct TextMeshes;  // glyphs.cpp
 
 /// What a `height_field` has before its modifiers.
 struct FieldItems {
@@ -107,6 +108,7 @@ class ObjectParser : public TextureParser {
     std::int32_t sample_count();
 
     std::optional<CameraItems> default_camera_;
+    std::shared_ptr<TextMeshes> text_meshes_;
     NumberList list_;  // what is left of the list that is being read; at its end: the tokens count
     Token list_at_;    // its place
 };
