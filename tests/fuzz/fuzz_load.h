@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "formats/tiny_font.h"
 #include "glint/load.h"
 
 namespace glint::test {
@@ -40,12 +41,13 @@ inline Result<Scene> load_few_steps(std::span<const SceneText> texts, LoadOption
     return load(texts, options, sources);
 }
 
-/// The texts that may be included: a part of the text itself, under any name. At most 200 bytes.
+/// The texts that may be included: a part of the text itself, under any name, at most 200 bytes; and a font.
 class FuzzSources : public Sources {
   public:
     explicit FuzzSources(std::string_view text) : text_(text.substr(text.size() / 2, 200)) {}
     Result<std::string> read(std::string_view name, std::string_view) override {
         if (name.starts_with("no")) return Status{ErrorCode::io, "no such file", {}};
+        if (name.ends_with(".ttf")) return tiny_font();
         return std::string(text_);
     }
 
