@@ -69,7 +69,7 @@ struct Interiors {
         std::uint32_t word = 0;
         double ior = 1;
         bool hollow = false;
-        auto operator<=>(const Refracting&) const = default;
+        bool operator==(const Refracting&) const = default;
     };
     std::vector<Refracting> refracting;  // the objects that refract, by word
     bool has_hollow = false;             // some of these are

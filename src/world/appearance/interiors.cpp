@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <tuple>
 
 #include "math/number.h"
 #include "world/appearance/appearance.h"
@@ -77,7 +78,9 @@ void find_refracting(const WorldParts& parts, Interiors& found) {
         all.push_back({interior_word(parts, id), parts.material(row)[k_ior], hollow});
         found.has_hollow = found.has_hollow || hollow;
     }
-    std::sort(all.begin(), all.end());
+    std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
+        return std::tie(a.word, a.ior, a.hollow) < std::tie(b.word, b.ior, b.hollow);
+    });
     all.erase(std::unique(all.begin(), all.end()), all.end());
 }
 
