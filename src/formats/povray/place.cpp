@@ -98,6 +98,8 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
     if (object.interior) own.interior = object.interior.get();
     if (!own.interior && object.texture) own.interior = object.texture->finish.interior.get();
     if (object.kind != ObjectKind::light) inherit_interior(object, own);
+    if (from.in_solid && object.interior && object.interior->ior != 1)
+        report({"ior", "of a part of a solid", stream_.call_place(object.at)});
     if (leave_out(object)) {
         if (object.kind == ObjectKind::light) place_look(object, own);
         return;
