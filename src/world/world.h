@@ -64,6 +64,7 @@ struct Interiors {
     bool tracked = false;      // rays know theirs: a surface lets light through, or the camera is inside
     bool without_fog = false;  // FogExtent::outside_objects
     std::uint32_t camera = 0;  // the objects that contain all points where camera rays start
+    std::uint32_t unbent = 0;  // those of them that do not refract
     std::vector<std::uint32_t> cutting;  // slots of shapes that contain some of them (orthographic cameras)
     struct Refracting {
         std::uint32_t word = 0;

@@ -107,6 +107,16 @@ HWY_INLINE void go_straight(const WorldParts& world, const SurfaceBatch& surface
     rays.passed = rays.passed + select(through, one, zero);
 }
 
+/// Sets the start of the refracted rays `bent`: with `transparent_epsilon` they meet what is at least that
+/// far behind the surface, as those that go straight on.
+HWY_INLINE void start_at_surface(const WorldParts& world, const SurfacePoint<Doubles>& surface,
+                                 LaneMask<double> bent, SecondaryRays& rays) {
+    const double gap = world.conventions.transparent_epsilon;
+    if (!(gap > 0)) return;
+    rays.origin = select_vector3(bent, surface.point, rays.origin);
+    rays.t_min = select(bent, Doubles(gap) / length(rays.direction), rays.t_min);
+}
+
 /// Sets the rays at the limit of reflections where sees_back(): they are the rays before them.
 HWY_INLINE void go_back(const SurfaceBatch& surfaces, int h, LaneMask<double> at_limit, SecondaryRays& rays) {
     const Vector3<Doubles> incoming = load_vector3(surfaces.incoming, h);
@@ -140,11 +150,13 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
     const auto from_inside = refracts && load(surfaces.behind.data() + h) > zero;
     const Vector3<Doubles> weight = load_vector3(surfaces.weight, h);
     SecondaryWeights b = secondary_weights<plain>(world, material, surface, a, refracts, from_inside, weight);
-    auto straight = through;
+    auto straight = through, bent = first_lanes<double>(0);
     if (transparent && any(through)) {
         weight_straight_rays(world, transparency_of(world, material, surfaces, h), through, weight, b);
-        if (world.uses<&Material::refracts>())
-            straight = and_not(through, refract_straight_rays(world, surfaces, h, surface, through, b));
+        if (world.uses<&Material::refracts>()) {
+            bent = refract_straight_rays(world, surfaces, h, surface, through, b);
+            straight = and_not(through, bent);
+        }
     }
     // If plain, none are: queue_secondary_rays() has returned.
     const auto at_limit = plain ? through : are_at_limit(world, surfaces, h);
@@ -198,6 +210,7 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
             b.reflected, b.transmitted, b.fresnel);
     if (!any(transmitted)) return;
     start(spawn_transmitted_ray(surface, b.refracted_direction, rules));
+    if (transparent && any(bent)) start_at_surface(world, surface, bent, rays);
     rays.weight = b.transmitted;
     if (surfaces.generation == 0) rays.target = rays.target + Doubles(k_layer_stride);
     if (!plain && surfaces.alpha) rays.straight = load(surfaces.straight.data() + h);

@@ -28,16 +28,18 @@ struct Passage {
 /// not known; ratio is 1 then.
 inline Passage pass_surface(const WorldParts& world, SurfaceId id, double inside) {
     const auto both = static_cast<std::uint64_t>(inside);
-    const auto set = static_cast<std::uint32_t>(both), last = static_cast<std::uint32_t>(both >> 32);
+    const std::uint32_t unbent = world.interiors.unbent;
+    const std::uint32_t set = static_cast<std::uint32_t>(both) ^ unbent,
+                        last = static_cast<std::uint32_t>(both >> 32);
     const std::uint32_t own = interior_word(world, id), rest = set ^ own;
     const auto mark = [](std::uint32_t word) { return word >> 12; };
     const auto inside_of = [&](std::uint32_t top) {
-        return static_cast<double>(std::uint64_t{rest} | std::uint64_t{rest != 0 ? top : 0} << 32);
+        return static_cast<double>(std::uint64_t{rest ^ unbent} | std::uint64_t{rest != 0 ? top : 0} << 32);
     };
     if (!refracts(world, id)) return {1, inside_of(last)};
     const double ior = world.material(material_row(world, id))[k_ior];
     if (set == 0) return {1 / ior, inside_of(mark(own))};
-    if (rest == 0) return {ior, 0};
+    if (rest == 0) return {ior, inside_of(0)};
     if (const auto* const around = only_refracting(world, set))
         return {around->ior / ior, inside_of(mark(own))};
     const auto* const around = only_refracting(world, rest);

@@ -59,7 +59,9 @@ void find_camera_interiors(const WorldParts& parts, Interiors& found) {
             std::size_t inside = 0;
             for (const Vec3 point : origins.all()) inside += contains(geometry, slot, point);
             if (inside == origins.count && (is_convex(shapes.kind) || origins.count == 1)) {
-                found.camera ^= interior_word(parts, geometry.surface_of(slot));
+                const std::uint32_t word = interior_word(parts, geometry.surface_of(slot));
+                found.camera ^= word;
+                if (!refracts(parts, geometry.surface_of(slot))) found.unbent ^= word;
             } else if (inside > 0 || (origins.count > 1 && !is_space)) {
                 found.cutting.push_back(slot);
             }
