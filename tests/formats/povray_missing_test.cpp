@@ -80,6 +80,21 @@ TEST(PovRayMissing, RefractionOfThreeObjectsWithinEachOther) {
                   std::string::npos)
             << text << said(text);
     }
+    for (const std::string& text :
+         {"intersection { sphere { 0, 1 " + glass + " box { 0, 1 } pigment { rgbt 1 } }",
+          "sphere { 0, 1 inverse " + glass,
+          std::string("sphere { 0, 1 pigment { rgbt 1 } finish { ior 1.2 } interior { ior 1.7 } }")}) {
+        EXPECT_NE(said(text).find("`ior` (of a"), std::string::npos) << text << said(text);
+    }
+    EXPECT_NE(said("sphere { 0, 1 pigment { rgbt 1 } interior { fade_distance 2 } }").find("`fade_distance`"),
+              std::string::npos);
+    EXPECT_NE(said("sphere { 0, 1 pigment { rgbt 1 } finish { refraction .5 ior 2 } }").find("`refraction`"),
+              std::string::npos);
+    const std::string prism = "prism { 0, 1, 4, <-9, -9>, <9, -9>, <0, 9>, <-9, -9> translate -.5*y } ";
+    EXPECT_NE(said("camera { location 0 look_at z } " + prism + "sphere { 3*z, 1 " + glass)
+                  .find("the camera may be inside of this object"),
+              std::string::npos);
+    EXPECT_EQ(said("camera { location 0 look_at z } " + prism), "");
     const std::string fog = "fog { distance 9 color rgb 1 } ";
     EXPECT_EQ(said(fog + "sphere { 0, 1 " + glass), "");
     EXPECT_EQ(said(fog + "sphere { 0, 1 hollow " + glass), "");
@@ -97,6 +112,10 @@ TEST(PovRayMissing, TransparentObjectsHaveAnIndexOf1BesideOthersThatRefract) {
     EXPECT_TRUE(scene.materials.at(0).refracts);
     EXPECT_EQ(scene.materials.at(0).ior, 1);
     EXPECT_FALSE(scene.materials.at(2).refracts);
+    // An opaque object may be around the camera.
+    const Scene wall = povray_scene(clear + "plane { z, 9 interior { ior 1.5 } }");
+    EXPECT_TRUE(wall.materials.at(1).refracts);
+    EXPECT_FALSE(povray_scene("plane { z, 9 interior { ior 1.5 } }").materials.at(0).refracts);
 }
 
 TEST(PovRayMissing, NothingThatIsNamedHidesAnother) {

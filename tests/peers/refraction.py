@@ -52,5 +52,9 @@ RULES = [
     refraction("air_inside", BALL + PINK + "} sphere { <0.1, 1, 0>, 0.5 " + AIR + "}"),
     refraction("overlapping", "sphere { <-0.3, 1, 0>, 0.7 " + PINK + "} sphere { <0.4, 1, 0>, 0.6 " + WATER + "}"),
     refraction("beside_opaque", "sphere { <-0.3, 1, 0>, 0.7 " + PINK + "} sphere { <0.4, 1, 0>, 0.6 pigment { rgb <0.9, 1, 0.9> } }"),
+    *[refraction(f"plate_{i}", f"box {{ <-1, 0.3, 0>, <1, 1.6, {thick}> " + GREEN + "rotate 30*y }") for i, thick in enumerate((0.0002, 0.0006))],
+    refraction("fog_before_wall", "fog { distance 40 rgb <0.8, 0.9, 1> } plane { z, 6 pigment { rgb <0.5, 0.4, 0.6> } } " + BALL + GREEN + "}"),
+    refraction("wall_with_ior", "plane { z, 6 pigment { rgb <0.5, 0.4, 0.6> } interior { ior 1.2 } } " + BALL + GREEN + "}"),
+    refraction("clear_before_wall_with_ior", "plane { z, 6 pigment { rgb 0.5 } interior { ior 1.5 } } " + BALL + AIR + "}"),
     refraction("camera_inside", "sphere { <0, 1.5, -5>, 2.2 " + PINK + "}"),
 ]

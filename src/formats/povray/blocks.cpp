@@ -77,6 +77,10 @@ Opaque TextureParser::read_interior(const Token& at) {
             out.missing = (*held)->missing;
         } else if (item.word() == Word::k_ior) {
             out.ior = number();
+        } else if (item.word() == Word::k_fade_distance) {
+            if (number() > 0) {
+                out.missing.add({"fade_distance", "light lost inside an object", call_place(item)});
+            }
         } else if (item.word() == Word::k_fade_power) {
             if (number() > 0) {
                 out.missing.add({"fade_power", "light lost inside an object", call_place(item)});

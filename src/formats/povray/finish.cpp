@@ -10,8 +10,8 @@ namespace glint::povray {
 // What is cut and casts no shadow stays whole if it is outside the picture.
 void SceneBuilder::check_clips() {
     const auto& all = scene_.materials;
-    const bool has_mirrors =
-        std::any_of(all.begin(), all.end(), [](const Material& m) { return m.mirror > 0 || m.refracts; });
+    const bool has_mirrors = refracts_light() || std::any_of(all.begin(), all.end(),
+                                                             [](const Material& m) { return m.mirror > 0; });
     for (const UncutShape& uncut : clips_) {
         if (stream_.failed()) return;
         if (!has_mirrors && !is_seen(*uncut.clip, scene_)) continue;
@@ -38,8 +38,9 @@ void SceneBuilder::finish(const Token& scene_at) {
 
 // `no_reflection` matters only where something reflects.
 void SceneBuilder::check_no_reflection() {
-    const auto reflects = [](const Material& m) { return m.mirror > 0 || m.mirror_min > 0 || m.refracts; };
-    if (no_reflection_ && std::any_of(scene_.materials.begin(), scene_.materials.end(), reflects))
+    const auto& all = scene_.materials;
+    const auto is_mirror = [](const Material& m) { return m.mirror > 0 || m.mirror_min > 0; };
+    if (no_reflection_ && (refracts_light() || std::any_of(all.begin(), all.end(), is_mirror)))
         report({"no_reflection", "", *no_reflection_});
 }
 

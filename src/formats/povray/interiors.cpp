@@ -38,8 +38,8 @@ void SceneBuilder::note_interior(std::size_t first, const Inherited& own) {
     interiors_.push_back({first, end, own.body, own.is_hollow});
 }
 
-// Warns of prisms and lathes around the camera: in POV-Ray they have an inside.
-void SceneBuilder::check_camera_in_fog() {
+// Warns of what is around the camera and has an inside in POV-Ray, but not here.
+void SceneBuilder::check_camera_inside() {
     const Camera& camera = scene_.camera;
     const bool is_flat = camera.frame && camera.projection == Projection::orthographic;
     const double room = is_flat ? (length(camera.frame->right) + length(camera.frame->up)) / 2 : 0;
@@ -53,24 +53,30 @@ void SceneBuilder::check_camera_in_fog() {
         const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
         if (is_beside(x) || is_beside(y) || is_beside(z) || is_beside(-x) || is_beside(-y) || is_beside(-z))
             continue;
-        return stream_.warn_once("fog inside", object.at,
-                                 "the camera may be inside of this object, where POV-Ray has no fog: the "
-                                 "picture may differ");
+        return stream_.warn_once("camera inside", object.at,
+                                 scene_.fog
+                                     ? "the camera may be inside of this object, where POV-Ray has no fog: "
+                                       "the picture may differ"
+                                     : "the camera may be inside of this object, which POV-Ray counts "
+                                       "for refraction: the picture may differ");
     }
 }
 
 void SceneBuilder::note_inside(const Object& object, const Inherited& own, std::size_t first) {
-    if ((object.stands_for == "prism" || object.stands_for == "lathe") && !own.is_hollow)
+    if (!object.stands_for.empty() && object.stands_for != "polygon" && object.stands_for != "height_field" &&
+        !(scene_.fog && own.is_hollow))
         with_inside_.push_back({first, scene_.shapes.size(), object.at});
 }
 
 // Gives the shapes materials with their interiors, if the scene has fog or refraction.
 void SceneBuilder::use_interiors() {
-    const auto& all = scene_.materials;
-    const bool refracts = std::any_of(all.begin(), all.end(), [](const Material& m) { return m.refracts; });
+    const bool refracts = refracts_light();
+    if (refracts)
+        make_all_refract();
+    else
+        forget_refraction();
     if (!scene_.fog && !refracts) return;
-    if (refracts) make_all_refract();
-    if (scene_.fog) check_camera_in_fog();
+    check_camera_inside();
     if (interiors_.empty()) return;
     using Kind = std::tuple<std::uint32_t, std::int32_t, bool>;  // material, body, hollow
     CountedMap<Kind, std::uint32_t> materials;

@@ -156,6 +156,8 @@ void SceneBuilder::report_texture(const Inherited& own, const Token& at) {
     check(is_transparent && own.interior && !(own.interior->ior > 0), "ior", "of 0 or less");
     if (is_transparent && own.is_hollow) hollow_at_ = stream_.call_place(at);
     if (ior_of(own) != 1) refracts_at_ = stream_.call_place(at);
+    check(is_transparent && f.interior && f.interior->ior != 1 && own.interior != f.interior.get(), "ior",
+          "of a finish beside an interior");
     check(is_transparent && f.has_no_refraction, "refraction", "of 0");
     check(is_transparent && own.is_merge, "merge", "of transparent surfaces");
     check(!is_one_finish, "layered textures",

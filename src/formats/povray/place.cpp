@@ -100,6 +100,8 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
     if (object.kind != ObjectKind::light) inherit_interior(object, own);
     if (from.in_solid && object.interior && object.interior->ior != 1)
         report({"ior", "of a part of a solid", stream_.call_place(object.at)});
+    if (object.is_inverse && !own.in_solid && ior_of(own) != 1)
+        report({"ior", "of an inverted object", stream_.call_place(object.at)});
     if (leave_out(object)) {
         if (object.kind == ObjectKind::light) place_look(object, own);
         return;

@@ -10,19 +10,20 @@ namespace {
 
 constexpr std::uint64_t k_max_tests = 10'000'000;
 
-bool lets_light_through(const Texture& texture) {
-    for (const Texture* layer = &texture; layer != nullptr; layer = layer->below.get()) {
-        if (!is_clear(*layer)) return false;
-    }
-    return true;
-}
+// Whether light passes, or may.
+bool is_passed(const Material& m) { return m.is_transparent() || m.texture != k_none; }
 
 }  // namespace
 
-// 1: no refraction.
+// 1: no refraction. An opaque object around the camera counts, too. (Measured)
 double SceneBuilder::ior_of(const Inherited& own) {
-    const bool bends = own.interior && own.interior->ior > 0 && lets_light_through(*own.texture);
-    return bends ? std::min(own.interior->ior, 1e6) : 1;
+    return own.interior && own.interior->ior > 0 ? std::min(own.interior->ior, 1e6) : 1;
+}
+
+bool SceneBuilder::refracts_light() const {
+    const auto& all = scene_.materials;
+    const auto refracts = [](const Material& m) { return m.refracts; };
+    return std::any_of(all.begin(), all.end(), refracts) && std::any_of(all.begin(), all.end(), is_passed);
 }
 
 // A transparent object within one that refracts has an index of refraction, too: 1. (Measured)
@@ -34,13 +35,21 @@ void SceneBuilder::make_all_refract() {
     }
 }
 
+void SceneBuilder::forget_refraction() {
+    for (Material& m : scene_.materials) {
+        if (m.refracts) m.ior = Material{}.ior;
+        m.refracts = false;
+    }
+}
+
 // After use_interiors(). Rays in three objects at a time do not know in which order they have entered these.
 void SceneBuilder::check_refraction() {
     if (!refracts_at_) return;
     const auto& shapes = scene_.shapes;
     const auto refracting_material = [&](std::uint32_t number) -> const Material* {
-        const bool refracts = number < scene_.materials.size() && scene_.materials[number].refracts;
-        return refracts ? &scene_.materials[number] : nullptr;
+        if (number >= scene_.materials.size()) return nullptr;
+        const Material& m = scene_.materials[number];
+        return m.refracts && is_passed(m) ? &m : nullptr;
     };
     const auto material_of = [&](const Shape& shape) {
         const Material* found = refracting_material(shape.material);

@@ -132,7 +132,7 @@ class SceneBuilder {
     void note_interior(std::size_t first, const Inherited& own);
     void use_interiors();
     void note_inside(const Object& object, const Inherited& own, std::size_t first);
-    void check_camera_in_fog();
+    void check_camera_inside();
     // A prism or lathe that is not hollow.
     struct ShapesWithInside {
         std::size_t first = 0, end = 0;
@@ -152,7 +152,9 @@ class SceneBuilder {
         bool has_inside = false;
     };
     static double ior_of(const Inherited& own);
+    bool refracts_light() const;
     void make_all_refract();
+    void forget_refraction();
     void check_refraction();
     void check_parallel_lights();
     void check_size(const Token& scene_at);
