@@ -90,6 +90,8 @@ void MaterialList::warn(const Material& m) {
         losses_.add("`brilliance`, `metallic`, `phong`, `outline` and the like of finishes",
                     "they are left out");
     }
+    if (m.refracts)
+        losses_.add("refraction of `filter` and `transmit` (`refracts`)", "rays go straight through");
     if (!m.casts_shadow) losses_.add("surfaces without shadows", "they have shadows");
 }
 
