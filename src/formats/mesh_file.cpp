@@ -104,6 +104,8 @@ void place_camera(Scene& scene, const View& view) {
     double radius = 0;
     for_each_vertex(scene, [&](Vec3 v) { radius = number::max(radius, length(v - middle)); });
     if (!(radius > 0)) radius = 1;
+    // A smaller one would be lost in the camera's position.
+    radius = number::max(radius, length(middle) * 1e-9);
     scene.camera.look_at = middle;
     scene.camera.position = middle + normalize(view.to_eye) * (radius * k_distance);
     scene.camera.up = view.up;
