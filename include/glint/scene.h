@@ -79,7 +79,7 @@ struct Light {
     /// Lights with a position: if both are above 0, f_att also has the factor 2 / (1 + (d / fade_distance) ^
     /// fade_power), d the distance (POV-Ray).
     double fade_distance = 0, fade_power = 0;
-    /// Spots: the middle of the cone, away from the light. Discs: their normal, towards what they light. Any
+    /// Spots and `cone`: the middle of the cone, away from the light. Discs: their normal, towards what they light. Any
     /// length except 0.
     Vec3 axis{0, -1, 0};
     double inner_angle = 30;    ///< spots: degrees off the axis, 0 to outer_angle; within it, the full light
@@ -105,6 +105,8 @@ struct Light {
     /// Parallelograms: each surface point sees a square that faces it, whose sides have the length of side_u;
     /// the first is at right angles to the z axis (POV-Ray).
     bool oriented = false;
+    /// Parallelograms: the light has the cone of a spot, around `axis`; one_sided has no effect (POV-Ray).
+    bool cone = false;
 
     // The properties of the kind; other code calls these functions. The compiler warns if a switch lacks a
     // kind.
@@ -155,7 +157,7 @@ struct Light {
         return false;
     }
     /// Lights only a cone around `axis`.
-    constexpr bool is_spot() const { return kind == LightKind::spot; }
+    constexpr bool is_spot() const { return kind == LightKind::spot || (is_parallelogram() && cone); }
     constexpr bool is_parallelogram() const { return kind == LightKind::parallelogram; }
     constexpr bool is_disc() const { return kind == LightKind::disc; }
     constexpr bool is_sphere() const { return kind == LightKind::sphere; }
@@ -167,8 +169,9 @@ struct Light {
     constexpr bool has_axis() const { return is_spot() || is_disc(); }
     /// Has two sides.
     constexpr bool is_flat() const { return is_parallelogram() || is_disc(); }
+    constexpr bool may_be_one_sided() const { return is_flat() && !is_spot(); }
     /// Whether its light decreases with the cosine off its normal.
-    constexpr bool has_emitter_cosine() const { return is_flat() && one_sided; }
+    constexpr bool has_emitter_cosine() const { return may_be_one_sided() && one_sided; }
     constexpr bool has_specular_color() const { return !is_ambient(); }
     constexpr bool has_attenuation() const { return has_position(); }
     /// Whether f_att has POV-Ray's factor.

@@ -126,6 +126,7 @@ class Light:
         adaptive: int = ...,
         circular: bool = ...,
         oriented: bool = ...,
+        cone: bool = ...,
         casts_shadows: bool = ...,
     ) -> None: ...
     name: str
@@ -152,6 +153,7 @@ class Light:
     adaptive: int
     circular: bool
     oriented: bool
+    cone: bool
     casts_shadows: bool
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> Light: ...

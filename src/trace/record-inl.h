@@ -236,7 +236,7 @@ inline void record_light(const WorldParts& world, const PreparedLight& light, co
             r.to_light = to_light.vec3(k);
             r.distance = distance[k];
             r.attenuation = f_att[k];
-            (light.is_area() ? r.emitter : r.spot) = spot[k];
+            (light.is_spot() ? r.spot : r.emitter) = spot[k];
             r.n_l = n_l[k];
             r.s = cosine[k];
             r.power = powers[k];

@@ -44,7 +44,7 @@ struct PreparedCamera {
 /// A light that is not ambient, with what the kernels need beside its fields.
 struct PreparedLight : Light {
     Vec3 unit_axis;  // of spots; of one-sided area lights, their normal
-    SpotCone cone;
+    SpotCone spot_cone;
     std::uint32_t index = 0;   // in Scene::lights
     std::int32_t sample = -1;  // of an area light, where each sample is a light of its own; else -1
     AreaGrid area;

@@ -353,6 +353,12 @@ TEST(PovRay, AreaLightsShineFromTheirCentre) {
         EXPECT_TRUE(round.lights.at(1).circular);
         EXPECT_EQ(round.lights[1].oriented, oriented);
     }
+    const std::string spot = "light_source { y, 1 spotlight radius 10 falloff 20 point_at x ";
+    const Light cone = povray_scene(spot + "area_light x, z, 5, 5 }\nsphere { 0, 1 }").lights.at(1);
+    EXPECT_TRUE(cone.is_parallelogram() && cone.is_spot());
+    expect_vec(cone.axis, {1, -1, 0});
+    EXPECT_EQ(cone.outer_angle, 20);
+    EXPECT_EQ(povray_scene(spot + "area_light x, z, 1, 1 }\nsphere { 0, 1 }").lights.at(1).kind, LightKind::spot);
 }
 
 TEST(PovRay, APovIsOfCsc473IfItsWholeTextIs) {

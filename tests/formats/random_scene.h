@@ -154,7 +154,7 @@ class RandomScene {
         l.side_u = {length(), 0, 0}, l.side_v = {fraction(), length(), -fraction()};
         if (pick(2) == 0) l.radius = length();
         if (pick(2) == 0) l.samples_u = 1 + static_cast<std::int32_t>(pick(64)), l.samples_v = 64;
-        l.one_sided = pick(2) == 0, l.jitter = pick(2) == 0;
+        l.one_sided = pick(2) == 0, l.jitter = pick(2) == 0, l.cone = pick(4) == 0;
         if (pick(2) == 0) l.adaptive = static_cast<std::int32_t>(pick(17));
         l.casts_shadows = pick(4) != 0;
         note(s.light_texts, s.lights.size());

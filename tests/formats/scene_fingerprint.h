@@ -148,7 +148,7 @@ class SceneFingerprint {
         if (l.has_axis()) add(l.axis);
         if (l.is_parallelogram()) add(l.side_u), add(l.side_v);
         if (l.has_radius()) add(l.radius);
-        if (l.is_flat()) add(l.one_sided ? 1.0 : 0.0);
+        if (l.may_be_one_sided()) add(l.one_sided ? 1.0 : 0.0);
         if (l.is_area()) {
             add(static_cast<double>(l.samples_u)), add(static_cast<double>(l.samples_v));
             add(static_cast<double>(l.adaptive)), add(l.jitter ? 1.0 : 0.0);

@@ -135,6 +135,13 @@ RULES = [
     rule("shadowless", FLOOR + "light_source { <-4, 3, -2>, rgb 0.5 }\nlight_source { <2, 3, -5>, rgb 0.7 parallel shadowless }\n"
          "light_source { <2, 3, -5>, rgb 0.5 shadowless }\nsphere { <-1, 0, 0>, 0.9 finish { specular 0.4 phong 0.7 metallic } " +
          "pigment { rgb <0.9, 0.3, 0.2> } }\n", head="#version 3.6;\n" + CAMERA),
+    *[rule(f"area_spot_{name}", FLOOR + f"sphere {{ <0, 0.3, 0>, 0.7 {SHINE} }}\nlight_source {{ <-3, 4, -2>, rgb 1.5 spotlight "
+           f"point_at <0.2, 0, 0> {items} }}\n", head="#version 3.6;\n" + CAMERA + "light_source { <2, 3, -5>, rgb 0.2 }\n")
+      for name, items in (("wide", "radius 14 falloff 22 area_light 1.6*x, 1.6*z, 5, 5"), ("narrow", "radius 4 falloff 9 area_light 0.8*x, 0.8*y, 4, 3"),
+                          ("tight", "radius 10 falloff 25 tightness 20 area_light x, z, 5, 5 adaptive 1"),
+                          ("orient", "radius 12 falloff 20 area_light 1.2*x, 1.2*z, 5, 5 circular orient fade_distance 4 fade_power 2"),
+                          ("one_sample", "radius 12 falloff 20 area_light 2*x, 2*z, 1, 1"),
+                          ("scaled", "radius 12 falloff 20 area_light 1.2*x, 1.2*z, 4, 4 scale <1, 1.2, 0.8>"))],
     rule("conserve_energy", FLOOR + "sphere { <-1, 0, 0>, 0.9 pigment { rgb <0.3, 0.6, 0.9> } finish { phong 0.7 "
          "reflection { 0.1, 0.8 } conserve_energy } }\nsphere { <1, 0, 0>, 0.7 pigment { rgbt <1, 0.3, 0.2, 0.5> } "
          "finish { conserve_energy } }\n"),

@@ -41,16 +41,18 @@ void SceneBuilder::place_light(const Object& object, const Inherited& own) {
             std::clamp(number::abs(light.outer_angle), std::max(light.inner_angle, 1e-6), 180.0);
     }
     if (source.is_area) {
-        if (light.has_position() && !light.is_spot()) {
+        if (light.has_position()) {
+            const LightKind kind = light.kind;
+            light.cone = light.is_spot();
             light.kind = LightKind::parallelogram;
             if (own.map) {
                 light.side_u = transform_vector(*own.map, light.side_u);
                 light.side_v = transform_vector(*own.map, light.side_v);
             }
             // A side with one sample has no length in POV-Ray.
-            if (light.samples_u == 1 && light.samples_v == 1) light.kind = LightKind::point;
+            if (light.samples_u == 1 && light.samples_v == 1) light.kind = kind;
         } else {
-            report({"area_light", "of a spotlight or parallel light", stream_.call_place(object.at)});
+            report({"area_light", "of a parallel light", stream_.call_place(object.at)});
         }
     }
     light.fade_distance = std::max(light.fade_distance, 0.0);

@@ -93,7 +93,7 @@ HWY_INLINE LightRules light_rules(const WorldParts& world, const PreparedLight& 
 HWY_INLINE Doubles spot_at(const PreparedLight& light, Vector3<Doubles> to_light, Doubles distance,
                            const LightingRules& rules) {
     const Doubles cosine = -dot(to_light, lanes_of(light.unit_axis)) / distance;
-    return spot_factor(cosine, light.cone, rules.spot_falloff);
+    return spot_factor(cosine, light.spot_cone, rules.spot_falloff);
 }
 
 /// The factor of a one-sided area light: the cosine off its normal, 0 behind it.

@@ -23,8 +23,8 @@ void prepare_spot(PreparedLight& light) {
     light.unit_axis = normalize(light.axis);
     // Rounding makes cosines below -1: they are within 180 degrees, too.
     const double inner_cosine = light.inner_angle < 180 ? cos_degrees(light.inner_angle) : -2;
-    light.cone = {inner_cosine, cos_degrees(light.outer_angle), light.inner_angle * k_radians,
-                  light.outer_angle * k_radians, light.tightness};
+    light.spot_cone = {inner_cosine, cos_degrees(light.outer_angle), light.inner_angle * k_radians,
+                       light.outer_angle * k_radians, light.tightness};
 }
 
 void prepare_area(PreparedLight& light) {
@@ -39,6 +39,7 @@ void prepare_area(PreparedLight& light) {
     area.oriented = light.is_parallelogram() && light.oriented;
     area.adaptive = light.adaptive;
     area.x = light.side_u, area.y = light.side_v;
+    if (light.is_spot()) return;  // prepare_spot() has set the axis
     light.unit_axis = light.is_parallelogram()
                           ? normalize(cross(normalize(light.side_u), normalize(light.side_v)))
                       : light.is_disc() ? normalize(light.axis)
