@@ -242,7 +242,7 @@ void CauseFinder::confirm(Search& search) {
         const auto is_it = [&](const CauseCandidate& c) { return c.of_pictures == candidate.of_pictures; };
         if (!candidate.of_pictures || std::none_of(first.begin(), first.end(), is_it)) continue;
         picture_causes()[*candidate.of_pictures].make(from, made_);
-        search.confirm(made_, candidate, candidate.is_near());
+        search.confirm(made_, view_of(made_), {}, candidate, candidate.is_near());
     }
     std::erase_if(search.found, [](const CauseCandidate& c) { return c.is_estimated; });
     for (CauseCandidate& c : search.found) c.is_confirmed = true;

@@ -102,13 +102,8 @@ std::vector<CauseCandidate> best_of(const Search& search, std::size_t most) {
     return list;
 }
 
-// The two pictures are of the same program at best, which rounds as the reference shows.
-double Search::most_by_rounding(bool is_near) const {
-    const std::optional<double>& left = report.swapped ? report.scene_from_a : report.scene_from_b;
-    return is_near || !left ? k_rounding_mean : std::min(k_ties_mean + 2 * *left, k_rounding_mean);
-}
-
-void Search::confirm(const BytePicture& made, CauseCandidate& candidate, bool is_near) const {
+void Search::confirm(const BytePicture& made, const PictureView& numbers, const ByteRule& rule,
+                     CauseCandidate& candidate, bool is_near) const {
     candidate.left = distance(made, *target, area);
     candidate.is_estimated = false;
     candidate.is_confirmed = true;
@@ -126,7 +121,8 @@ void Search::confirm(const BytePicture& made, CauseCandidate& candidate, bool is
         !candidate.is_vague && static_cast<double>(structured_pixels(made, *target, area)) <= least &&
         !has_blobs(made, *target, area) &&
         (original == nullptr ||
-         agrees_where_changed(made, *target, *original, area, !explains_all, most_by_rounding(is_near)));
+         agrees_where_changed(made, {numbers, rule, is_near ? k_near_numbers : k_other_program}, *target,
+                              *original, area, !explains_all));
     if (!candidate.is_exact) check_view();
 }
 

@@ -98,9 +98,9 @@ struct Search {
     void add(const BytePicture& made, CauseCandidate candidate);
     /// Sets what a candidate leaves of the whole picture, and whether that has structure.
     /// `is_near`: numbers of it, or of what it is paired with, are near the right ones, not the same.
-    void confirm(const BytePicture& made, CauseCandidate& candidate, bool is_near) const;
-    /// The mean that rounding may leave of what is shaded, in 255ths.
-    double most_by_rounding(bool is_near) const;
+    /// `numbers`: those that became the bytes `made`, or these, by `rule`.
+    void confirm(const BytePicture& made, const PictureView& numbers, const ByteRule& rule,
+                 CauseCandidate& candidate, bool is_near) const;
 };
 
 /// The search for causes of the same picture on a grid of pixels. `target` has all pixels; the others are the

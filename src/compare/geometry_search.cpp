@@ -52,6 +52,9 @@ class GeometryFit {
         return best;
     }
 
+    // What changes this picture by no more than rounding is no cause.
+    void keep_from(const BytePicture& picture) { at_base_ = &picture; }
+
     // Whether the last one that was judged explains nearly all.
     bool is_found() const { return left() <= k_found * search_.whole.all; }
 
@@ -79,7 +82,7 @@ class GeometryFit {
 
     bool judge(const FittedCause& cause, const std::vector<double>& values) {
         const std::optional<RenderedScene> made = render_with(cause, values);
-        if (!made) return false;
+        if (!made || (at_base_ != nullptr && beyond_rounding(made->bytes, *at_base_) == 0)) return false;
         search_.judge(made->bytes,
                       fitted_candidate(std::make_shared<FittedCause>(cause), values, false, cause.least));
         return true;
@@ -89,6 +92,7 @@ class GeometryFit {
     const RenderScenePicture& render_;
     Search& search_;
     const ParameterFit fitter_;
+    const BytePicture* at_base_ = nullptr;
 };
 
 }  // namespace
@@ -98,6 +102,7 @@ void fit_geometry(const std::vector<FittedCause>& causes, const PixelGrid& grid,
     const std::optional<RenderedScene> at_start = render(base);
     if (!at_start) return;
     GeometryFit fit(grid, base, render, search);
+    fit.keep_from(at_start->bytes);
     std::vector<std::pair<double, std::size_t>> order;
     for (std::size_t i = 0; i < causes.size(); ++i) {
         const double promise = fit.promise(causes[i], *at_start);

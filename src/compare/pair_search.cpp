@@ -90,8 +90,7 @@ void PairSearch::try_scene(const CauseCandidate& first, std::size_t most, bool w
         if (!factor || *factor < k_min_multiple) continue;
         for (std::size_t k = 0; k < part.size(); ++k) sum[k] += static_cast<float>(*factor) * part[k];
         (first.edit ? pair.after : pair.before) = causes_.scaled_candidate(i, *factor, true);
-        pair.after.left = distance(to_bytes(made->image, 1, renderer_.rule(renderer_.scene().shading)),
-                                   coarse.faulty, coarse.area);
+        pair.after.left = distance(to_bytes(made->image, 1, rule()), coarse.faulty, coarse.area);
         add(trial, std::move(pair.before), std::move(pair.after));
     }
 }
@@ -130,7 +129,7 @@ CausePair PairSearch::named(PairCandidate pair, const Search& search) const {
                 c->is_exact = found.is_exact;
             }
         } else if (const auto made = render_candidate(renderer_, *c, renderer_.scene(), all_)) {
-            search.confirm(made->bytes, *c, c->parameters > 0);
+            search.confirm(made->bytes, made->image, rule(), *c, c->parameters > 0);
         }
     }
     CausePair named{std::move(pair.before), std::move(pair.after)};
@@ -268,7 +267,12 @@ std::optional<CausePair> PairSearch::find_shifted(const Search& search) {
 // Sets what both leave of all pixels.
 bool PairSearch::confirm(const Search& search, PairCandidate& pair) const {
     const std::optional<RenderedScene> made = render_pair(renderer_, all_, search, pair);
-    if (made) search.confirm(made->bytes, pair.after, pair.before.parameters + pair.after.parameters > 0);
+    if (made) {
+        const bool is_of_bytes = pair.after.of_pictures.has_value();
+        search.confirm(made->bytes, is_of_bytes ? view_of(made->bytes) : PictureView(made->image),
+                       is_of_bytes ? ByteRule{} : rule(), pair.after,
+                       pair.before.parameters + pair.after.parameters > 0);
+    }
     // In the range of a picture, 0.8 / (1 + d) is near 1 / (3 + d).
     const auto is_curve = [](const CauseCandidate& c) { return c.cause.name == "attenuation-added"; };
     // A term that is missing may be one that is hardly visible (SceneTrials::judge_limit): not judged of

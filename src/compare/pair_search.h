@@ -63,6 +63,7 @@ class PairSearch {
     void try_undone_geometry(Trial& trial) const;
     static void add(Trial& trial, CauseCandidate before, CauseCandidate after);
     void fit_best(Trial& trial) const;
+    ByteRule rule() const { return renderer_.rule(renderer_.scene().shading); }
     bool confirm(const Search& search, PairCandidate& pair) const;
     void refine(const Search& search, PairCandidate& pair) const;
     std::optional<CausePair> best_by_all_pixels(const Search& search,

@@ -18,6 +18,11 @@ constexpr double k_fine = 0.6;            // slopes are refined if this fraction
 // its square is left, no other blur is tried.
 constexpr double k_hopeless_fit = 0.7;
 constexpr std::size_t k_max_values = 6;
+// Numbers that leave at most this fraction are polished: by what is left of at most this, so that edges do
+// not count, and slopes of this part of a unit.
+constexpr double k_worth_polishing = 0.2, k_rest = 1.5 / 255, k_polish_unit = 0.1, k_polish_damping = 1e-6;
+constexpr double k_half_byte = 0.5 / 255;
+constexpr int k_polishings = 8;
 
 // A stage of a fit: the radius of the blur, and the units by which slopes are measured. What moves edges by
 // less than a pixel needs smaller ones.
@@ -148,6 +153,11 @@ std::optional<ParameterFit::Step> ParameterFit::step_from(const FitProblem& prob
         slopes.push_back(blurred_difference(*made, rendered, radius));
         for (float& v : slopes.back()) v /= static_cast<float>(by);
     }
+    return step_of(slopes, error);
+}
+
+ParameterFit::Step ParameterFit::step_of(const std::vector<std::vector<float>>& slopes,
+                                         const std::vector<float>& error) {
     Step step{{}, {}, product(error, error)};
     for (const auto& a : slopes) {
         step.products.push_back(product(a, error));
@@ -229,7 +239,68 @@ std::optional<Fit> ParameterFit::fit(const FitProblem& problem, FitStart start) 
         const bool is_first = start == FitStart::far && radius == stages.front().radius;
         if (is_first && last > k_hopeless_fit * at_first) break;
     }
-    return rounded(problem, best);
+    best = rounded(problem, best);
+    if (best.left > 0 && best.left <= k_worth_polishing * at_start) polish(problem, best);
+    return best;
+}
+
+// Until the bytes are roundings of what is rendered, but for edges: they tell numbers to a small part of
+// 1/255. First by what is left, and then only by what is left beyond rounding.
+void ParameterFit::polish(const FitProblem& problem, Fit& fit) const {
+    std::optional<std::vector<float>> rendered = rendered_with(problem, fit.values);
+    if (!rendered) return;
+    const auto excess = [&](const std::vector<float>& made) {
+        double sum = 0;
+        for (std::size_t i = 0; i < made.size(); ++i) {
+            const double rest = std::fabs(static_cast<double>(target_[i] - made[i])) - k_half_byte;
+            sum += rest > 0 ? std::min(rest, k_rest) : 0;
+        }
+        return sum;
+    };
+    double least = excess(*rendered);
+    bool beyond_rounding = false;
+    for (int i = 0; i < k_polishings; ++i) {
+        std::vector<float> error = blurred_difference(target_, *rendered, 0);
+        if (beyond_rounding) {
+            for (float& e : error) {
+                const double rest = std::fabs(static_cast<double>(e)) - k_half_byte;
+                e = rest > 0 ? static_cast<float>(e < 0 ? -rest : rest) : 0;
+            }
+        }
+        std::vector<std::vector<float>> slopes;
+        for (std::size_t k = 0; k < fit.values.size(); ++k) {
+            std::vector<double> beside = fit.values;
+            beside[k] += k_polish_unit * problem.units[k];
+            const auto made = rendered_with(problem, beside);
+            if (!made) return;
+            slopes.push_back(blurred_difference(*made, *rendered, 0));
+        }
+        for (std::size_t p = 0; p < error.size(); ++p) {
+            const auto is_far = [](float v) { return std::fabs(static_cast<double>(v)) > k_rest; };
+            const bool is_edge = is_far(error[p]) || (beyond_rounding && !(std::fabs(error[p]) > 0)) ||
+                                 std::any_of(slopes.begin(), slopes.end(),
+                                             [&](const std::vector<float>& s) { return is_far(s[p]); });
+            for (std::vector<float>& slope : slopes)
+                slope[p] = is_edge ? 0 : slope[p] / static_cast<float>(k_polish_unit);
+        }
+        const std::vector<double> change = step_of(slopes, error).change(k_polish_damping);
+        bool is_nearer = false;
+        for (double by = 1; by > 0.2 && !is_nearer; by /= 2) {
+            std::vector<double> next = fit.values;
+            for (std::size_t k = 0; k < next.size(); ++k)
+                next[k] += by * std::clamp(change[k], -1.0, 1.0) * problem.units[k];
+            std::optional<std::vector<float>> made = rendered_with(problem, next);
+            if (!made) return;
+            const double left = excess(*made);
+            is_nearer = left < least;
+            if (!is_nearer) continue;
+            least = left;
+            rendered = std::move(made);
+            fit = {std::move(next), left_of(*rendered)};
+        }
+        if (!is_nearer && beyond_rounding) return;
+        beyond_rounding = beyond_rounding || !is_nearer;
+    }
 }
 
 // Numbers with as few digits as render nearly the same.

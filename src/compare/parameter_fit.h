@@ -52,7 +52,9 @@ class ParameterFit {
                                           int radius) const;
     std::optional<Step> step_from(const FitProblem& problem, std::span<const double> values,
                                   const std::vector<float>& rendered, int radius, double by) const;
+    static Step step_of(const std::vector<std::vector<float>>& slopes, const std::vector<float>& error);
     double left_of(const std::vector<float>& rendered) const;
+    void polish(const FitProblem& problem, Fit& fit) const;
     Fit rounded(const FitProblem& problem, Fit found) const;
 
     const PixelGrid grid_;

@@ -284,6 +284,10 @@ PictureFault recolored() {
         const std::optional<Pair> pair = commonest_change(s);
         if (!pair) return std::nullopt;
         const Pair& colors = *pair;
+        // One color may be a tie of rounding.
+        const auto is_rounded = [](int was, int is) { return std::abs(is - was) <= k_rounding; };
+        if (std::equal(colors.begin(), colors.begin() + 3, colors.begin() + 3, is_rounded))
+            return std::nullopt;
         for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
             for (std::int32_t x = 0; x < made.width; ++x) {
                 const std::uint8_t* was = s.bytes.pixel(x, y);

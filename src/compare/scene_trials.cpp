@@ -180,7 +180,8 @@ void SceneTrials::confirm(GridSearch& small) const {
         const auto made =
             render_candidate(renderer_, candidate, renderer_.scene(), {grid_.width, grid_.height, 1});
         if (!made) continue;
-        whole.confirm(made->bytes, candidate, candidate.is_near());
+        whole.confirm(made->bytes, made->image, renderer_.rule(renderer_.scene().shading), candidate,
+                      candidate.is_near());
         std::optional<CauseCandidate> rival = judge_limit(whole, made->bytes, candidate);
         whole.add(made->bytes, std::move(candidate));
         if (rival) whole.add(made->bytes, *std::move(rival));

@@ -41,7 +41,9 @@ bool agrees(Size size, const GreyAt& made_at, const GreyAt& target_at, bool but_
     const BytePicture made = drawn(size, made_at), target = drawn(size, target_at),
                       original = drawn(size, original_at);
     const std::vector<std::uint8_t> edges = edges_of(original, 1);
-    return agrees_where_changed(made, target, original, {&edges, all_rows(size.height), 1, 1}, but_at_edges);
+    const ByteRule rule;
+    return agrees_where_changed(made, {view_of(made), rule}, target, original,
+                                {&edges, all_rows(size.height), 1, 1}, but_at_edges);
 }
 
 TEST(LeftStructure, FewPixelsAreRoundedOtherwise) {
@@ -62,6 +64,52 @@ TEST(LeftStructure, AnotherCurveIsNoRounding) {
         EXPECT_FALSE(agrees(size, made, half));
         const auto off_by_two = [&](int x, int y) { return made(x, y) + (x < 5 ? 2 : 0); };
         EXPECT_FALSE(agrees(size, made, off_by_two));
+    }
+}
+
+// A byte is right if it is a rounding of the cause's number: also one that is not the nearest, of a tie.
+TEST(LeftStructure, BytesAreRoundingsOfNumbers) {
+    for (const Size size : k_sizes) {
+        const auto made_at = changed_in(size);
+        const BytePicture made = drawn(size, made_at), original = drawn(size, original_at);
+        const std::vector<std::uint8_t> edges = edges_of(original, 1);
+        const auto agree_if = [&](double fraction, int off) {
+            Image image{size.width, size.height, {}};
+            for (const std::uint8_t v : made.rgb)
+                image.rgb.push_back(static_cast<float>((v + fraction) / 255));
+            const BytePicture target = drawn(size, [&](int x, int y) {
+                return made_at(x, y) + (x < size.width / 2 && (x + y) % 20 == 0 ? off : 0);
+            });
+            const ByteRule rule;
+            const PictureView numbers = image;
+            return agrees_where_changed(made, {numbers, rule}, target, original,
+                                        {&edges, all_rows(size.height), 1, 1}, false);
+        };
+        EXPECT_TRUE(agree_if(0.49, 1));
+        EXPECT_TRUE(agree_if(0.3, 0));
+        EXPECT_FALSE(agree_if(0.3, 1));
+        EXPECT_FALSE(agree_if(0.49, -1));
+    }
+}
+
+// What differs where the cause changes nothing has another cause. An edge there shows that both pictures are
+// sampled alike.
+TEST(LeftStructure, WhatIsLeftElsewhereIsNoRounding) {
+    for (const Size size : k_sizes) {
+        const auto with_edge = [&](const GreyAt& grey_at) {
+            return drawn(size, [&](int x, int y) { return grey_at(x, y) + (y > size.height - 8 ? 60 : 0); });
+        };
+        const GreyAt made_at = changed_in(size);
+        const BytePicture made = with_edge(made_at), original = with_edge(original_at);
+        const std::vector<std::uint8_t> edges = edges_of(original, 1);
+        const ByteRule rule;
+        for (const int off : {0, 2}) {
+            const BytePicture target = with_edge(
+                [&](int x, int y) { return made_at(x, y) + (x > size.width - 5 && y < 9 ? off : 0); });
+            EXPECT_EQ(agrees_where_changed(made, {view_of(made), rule}, target, original,
+                                           {&edges, all_rows(size.height), 1, 1}, false),
+                      off == 0);
+        }
     }
 }
 

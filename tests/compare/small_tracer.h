@@ -13,6 +13,7 @@ namespace glint::test {
 
 struct Mistakes {
     bool l_raw = false, h_raw = false, n_raw = false;  ///< not normalised
+    bool h_of_difference = false;                      ///< L - V in place of L + V
     bool n_reversed = false, r_negated = false, v_from_origin = false, v_fixed = false;
     bool v_is_p = false;  ///< P, not the eye's way from P
     bool v_raw = false;   ///< not normalised
@@ -195,7 +196,8 @@ class SmallTracer {
             if (n_l <= 0) continue;
             double s;
             if (s_.blinn) {
-                s = dot(n, m_.h_raw ? l + v : normalize(l + v));
+                const Vec3 h = m_.h_of_difference ? l - v : l + v;
+                s = dot(n, m_.h_raw ? h : normalize(h));
             } else {
                 const Vec3 r = n * (2 * n_l) - l;
                 s = dot(m_.r_negated ? -r : r, v);
