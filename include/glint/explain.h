@@ -27,6 +27,8 @@ struct ShadowFilter {
     double distance = 0;           ///< from the shaded point
     Vec3 point;
     Color factor;  ///< transmit + filter * color
+    /// Where the way to the light leaves an object that fades it: what is left (Material::fade_distance).
+    Color fade{1, 1, 1};
 };
 
 /// A sample of an area light that shines from its centre, with its shadow ray.
@@ -124,8 +126,9 @@ struct ExplainedTexture {
     double next_column_weight = 0, next_row_weight = 0;  ///< the first ones have 1 minus these
     Color color;                                         ///< decoded and mixed
     double alpha = 1;
-    bool is_layer = false;  ///< one of `layers`
-    double weight = 1;      ///< of a layer: its opacity, times what is left of those in front
+    Color ambient, diffuse;  ///< color times Texture::ambient and diffuse; of layers, the sums of these
+    bool is_layer = false;   ///< one of `layers`
+    double weight = 1;       ///< of a layer: its opacity, times what is left of those in front
     /// With Texture::over: the layers from the front on. color and alpha are those of all of them: alpha is
     /// the sum of the weights, and alpha color that of weight times color. columns are -1 where the front one
     /// is not.
@@ -182,6 +185,7 @@ struct ExplainedHit {
     /// Of a transparent surface: the factor of what is behind it, transmit + filter * color. With
     /// Material::angled_opacity, transmit is 1 - the opacity at this angle.
     Color through{1, 1, 1};
+    Color fade{1, 1, 1};  ///< where light leaves an object: what is left of it (Material::fade_distance)
     double highlight_share = 1;  ///< the factor of the surface's highlights, as local_share of the rest
     double fresnel = 0;          ///< for glass: the reflected fraction; 1: total internal reflection, also of
                                  ///< transparent surfaces (Material::refracts)

@@ -79,8 +79,8 @@ struct Light {
     /// Lights with a position: if both are above 0, f_att also has the factor 2 / (1 + (d / fade_distance) ^
     /// fade_power), d the distance (POV-Ray).
     double fade_distance = 0, fade_power = 0;
-    /// Spots and `cone`: the middle of the cone, away from the light. Discs: their normal, towards what they light. Any
-    /// length except 0.
+    /// Spots and `cone`: the middle of the cone, away from the light. Discs: their normal, towards what they
+    /// light. Any length except 0.
     Vec3 axis{0, -1, 0};
     double inner_angle = 30;    ///< spots: degrees off the axis, 0 to outer_angle; within it, the full light
     double outer_angle = 45;    ///< spots: degrees off the axis, 0 < outer_angle <= 180; beyond it, no light
@@ -204,9 +204,12 @@ struct Fog {
     double start = 0;      ///< in world units
     double end = 100;      ///< linear: above start
     double transmit = 0;   ///< the least f, 0 to 1
-    double falloff = 0;    ///< exp; above 0: the density halves from `height` to this much above; world units
-    double height = 0;     ///< exp with a falloff: below it the fog has its whole density; world units
-    Vec3 up{0, 1, 0};      ///< exp with a falloff: away from the ground; any length but 0
+    /// What is seen through the fog, where f is below 1, has the factor 1 - filter + filter color; 0 to 1
+    /// (POV-Ray).
+    double filter = 0;
+    double falloff = 0;  ///< exp; above 0: the density halves from `height` to this much above; world units
+    double height = 0;   ///< exp with a falloff: below it the fog has its whole density; world units
+    Vec3 up{0, 1, 0};    ///< exp with a falloff: away from the ground; any length but 0
 
     // The fields that are used.
     constexpr bool has_density() const { return kind != FogKind::linear; }
@@ -318,6 +321,14 @@ struct Material {
     /// Rays that a transparent surface lets through are refracted by `ior`, into and out of a closed shape.
     /// Where no light gets through (total reflection), the mirror ray has it.
     bool refracts = false;
+
+    /// > 0: light that leaves the shape through its transparent surface has the factor
+    /// 1 - (1 - fade_color) (1 - T) with T = 1 / (1 + (d / fade_distance)^fade_power), and from a power of
+    /// 1000 on exp(-(1 - fade_color) d / fade_distance). d is the distance from the last surface, in world
+    /// units (POV-Ray).
+    double fade_distance = 0;
+    double fade_power = 1;      ///< >= 0
+    Color fade_color{0, 0, 0};  ///< what is left of white light after a long way
 
     constexpr bool is_transparent() const { return filter > 0 || transmit > 0; }
 };

@@ -136,6 +136,9 @@ struct Texture {
     /// the color is the sum of those of the layers by what each shows, over the alpha of all. mix is that of
     /// the front one. Not with TextureAlpha::mask.
     std::uint32_t over = k_none;
+    /// 0 to 1: the factors of its color in the surface's ambient and diffuse color. Layers that reflect light
+    /// differently have different ones.
+    double ambient = 1, diffuse = 1;
     std::string file{};  ///< the name of the picture's file; empty: none
 
     bool has_wrap(TextureWrap wrap) const { return wrap_u == wrap || wrap_v == wrap; }

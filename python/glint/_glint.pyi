@@ -182,6 +182,8 @@ class Texture:
         lacunarity: float = ...,
         uv_map: Any = ...,
         over: Optional[Texture] = ...,
+        ambient: float = ...,
+        diffuse: float = ...,
         world_from_texture: Any = ...,
     ) -> None: ...
     name: str
@@ -203,6 +205,8 @@ class Texture:
     lacunarity: float
     uv_map: _UvMapField
     over: Optional[Texture]
+    ambient: float
+    diffuse: float
     world_from_texture: _AffineField
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> Texture: ...
@@ -244,6 +248,9 @@ class Material:
         texture: Optional[Texture] = ...,
         one_sided: bool = ...,
         refracts: bool = ...,
+        fade_distance: float = ...,
+        fade_power: float = ...,
+        fade_color: ColorLike = ...,
     ) -> None: ...
     name: str
     color: _ColorField
@@ -276,6 +283,9 @@ class Material:
     texture: Optional[Texture]
     one_sided: bool
     refracts: bool
+    fade_distance: float
+    fade_power: float
+    fade_color: _ColorField
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> Material: ...
     def __deepcopy__(self, memo: Dict[Any, Any]) -> Material: ...
@@ -386,6 +396,7 @@ class Fog:
         start: float = ...,
         end: float = ...,
         transmit: float = ...,
+        filter: float = ...,
         falloff: float = ...,
         height: float = ...,
         up: VectorLike = ...,
@@ -396,6 +407,7 @@ class Fog:
     start: float
     end: float
     transmit: float
+    filter: float
     falloff: float
     height: float
     up: _VectorField

@@ -119,7 +119,7 @@ void check_transparency(CheckContext& context, std::uint32_t index, bool solid) 
             "write `transmit` or `filter` instead of `transmission`");
     }
     // Opacity by the angle hides what is behind the edges.
-    if (!m.is_transparent() || m.hollow || m.refracts || m.angled_opacity ||
+    if (!m.is_transparent() || m.hollow || m.refracts || m.angled_opacity || m.fade_distance > 0 ||
         scene.conventions.transparency == Transparency::add)
         return;
     const double kept = m.transmit + m.filter * number::min(1.0, least(m.color));

@@ -182,8 +182,10 @@ void add_light(IndentedText& text, const Scene& scene, const ExplainStyle& style
     for (std::size_t i = 0; i < std::min(most, terms.filters.size()); ++i) {
         const ShadowFilter& filter = terms.filters[i];
         text.line(depth + 1,
-                  fmt::format("passes {}, {} from P: times {}{}", shape_text(scene, filter.shape),
-                              number(filter.distance), color(filter.factor), swatch(style, filter.factor)));
+                  fmt::format("passes {}, {} from P: times {}{}{}", shape_text(scene, filter.shape),
+                              number(filter.distance), color(filter.factor), swatch(style, filter.factor),
+                              filter.fade == Color{1, 1, 1} ? std::string()
+                                                            : ", fades: times " + color(filter.fade)));
     }
     if (terms.filters.size() > most)
         text.line(depth + 1, fmt::format("and {} more", terms.filters.size() - most));

@@ -195,6 +195,9 @@ class Tree {
                        fmt::format("transparent: opacity {}, what is behind times {}{}", number(hit.opacity),
                                    color(hit.through),
                                    material_of(hit, scene_).angled_opacity ? ", at this angle" : ""));
+        if (!(hit.fade == Color{1, 1, 1}))
+            text_.line(depth + 1,
+                       "what leaves the object here times " + color(hit.fade) + " (fade_distance)");
         if (hit.transparent && hit.fresnel == 1)
             text_.line(depth + 1, "total internal reflection: all of the light is that of the mirror ray");
         if (hit.local_share != 1 || r.parent >= 0) {
@@ -228,8 +231,10 @@ class Tree {
     void add_fog(const ExplainedRay& r, int depth) {
         if (r.inside_object) text_.line(depth, "no fog: the ray is inside an object");
         if (r.visibility == 1) return;
-        text_.line(depth, fmt::format("fog: {} of the light is seen, and the fog adds {}{}",
-                                      number(r.visibility), color(r.fog), swatch(style_, r.fog)));
+        const bool tints = scene_.fog && scene_.fog->filter > 0;
+        text_.line(depth, fmt::format("fog: {} of the light is seen{}, and the fog adds {}{}",
+                                      number(r.visibility), tints ? ", tinted by the fog's filter" : "",
+                                      color(r.fog), swatch(style_, r.fog)));
     }
 
     void add_subtree(std::size_t ray, int depth) {

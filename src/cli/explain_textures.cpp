@@ -62,6 +62,8 @@ std::vector<std::string> texture_lines(const Scene& scene, const ExplainedTextur
     text += texture.mix == TextureMix::multiply  ? ", which multiplies color, k_a and k_d"
             : texture.mix == TextureMix::replace ? ", which replaces the color"
                                                  : ", which multiplies color, k_a, k_d and k_e";
+    if (!(t.ambient == t.color && t.diffuse == t.color))
+        text += fmt::format("; in k_a it is {}, in k_d {}", color(t.ambient), color(t.diffuse));
     if (!t.layers.empty()) text += "; the sum of";
     std::vector<std::string> lines{text};
     for (const ExplainedTexture& layer : t.layers)

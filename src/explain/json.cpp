@@ -111,6 +111,7 @@ Json filters_json(const Scene& scene, std::span<const ShadowFilter> filters) {
                         {"distance", filter.distance},
                         {"point", to_json(filter.point)},
                         {"factor", to_json(filter.factor)}});
+        if (!(filter.fade == Color{1, 1, 1})) list.back()["fade"] = to_json(filter.fade);
     }
     return list;
 }

@@ -49,8 +49,9 @@ Material material_of(const ExplainedHit& hit, const Scene& scene) {
     Material material = hit.material < scene.materials.size() ? scene.materials[hit.material] : Material{};
     if (hit.color) material = with_color(material, *hit.color);
     if (!hit.texture || hit.texture->texture >= scene.textures.size()) return material;
-    return with_texture(material, scene.textures[hit.texture->texture], hit.texture->color,
-                        hit.texture->alpha);
+    const ExplainedTexture& shown = *hit.texture;
+    return with_texture(material, scene.textures[shown.texture],
+                        {shown.color, shown.ambient, shown.diffuse, shown.alpha});
 }
 
 std::string_view to_string(LightReason reason) {

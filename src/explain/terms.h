@@ -50,12 +50,16 @@ inline bool has_filter(const LightTerms& terms, const TermContext&) { return is_
 inline bool has_filters(const ShadowSample& sample, const TermContext&) { return !sample.filters.empty(); }
 inline bool is_of_sample(const LightTerms& terms, const TermContext&) { return terms.sample >= 0; }
 inline bool is_transparent(const ExplainedHit& hit, const TermContext&) { return hit.transparent; }
+inline bool fades(const ExplainedHit& hit, const TermContext&) { return !(hit.fade == Color{1, 1, 1}); }
 inline bool has_mesh(const ExplainedHit& hit, const TermContext&) { return hit.triangle >= 0; }
 inline bool has_outline(const ExplainedHit& hit, const TermContext&) { return hit.outline != 1; }
 template <bool ExplainedRay::*Flag> bool is_set(const ExplainedRay& ray, const TermContext&) {
     return ray.*Flag;
 }
 inline bool is_layer(const ExplainedTexture& texture, const TermContext&) { return texture.is_layer; }
+inline bool has_shares(const ExplainedTexture& texture, const TermContext&) {
+    return !(texture.ambient == texture.color && texture.diffuse == texture.color);
+}
 inline bool is_back(const ExplainedHole& hole, const TermContext&) { return hole.back; }
 inline bool is_of_texture(const ExplainedHole& hole, const TermContext&) { return !hole.back; }
 inline bool passes_holes(const ExplainedRay& ray, const TermContext&) { return ray.hole_count > 0; }
@@ -131,6 +135,9 @@ inline constexpr ExplainedTerm<ExplainedTexture> k_texture_terms[] = {
     {"next_row_weight", &ExplainedTexture::next_row_weight, "the weight of the next row"},
     {"color", &ExplainedTexture::color, "the color of the texels or of the map, decoded and mixed"},
     {"alpha", &ExplainedTexture::alpha, "their alpha, mixed; 1 without one"},
+    {"ambient", &ExplainedTexture::ambient, "the color in k_a, if it is another one", terms::has_shares},
+    {"diffuse", &ExplainedTexture::diffuse, "the color in k_d, if it or that in k_a is another one",
+     terms::has_shares},
     {"weight", &ExplainedTexture::weight,
      "of one of the layers: its opacity, times what is left of those in front of it; alpha is their sum, and "
      "alpha times color is that of weight times color",
@@ -177,6 +184,9 @@ inline constexpr ExplainedTerm<ExplainedHit> k_hit_terms[] = {
      "of a transparent surface: the factor of what is behind it, transmit + filter * color; with "
      "angled_opacity, the transmit at this angle",
      terms::is_transparent},
+    {"fade", &ExplainedHit::fade,
+     "of a surface where light leaves an object that fades it (`fade_distance`): what is left of it",
+     terms::fades},
     {"highlight_share", &ExplainedHit::highlight_share,
      "of a transparent surface: the share of its highlights, as local_share of the rest",
      terms::is_transparent},

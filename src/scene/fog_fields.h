@@ -22,6 +22,8 @@ inline constexpr ItemField<Fog> k_fog_fields[] = {
      .applies = &Fog::has_end},
     {"transmit", "transmit", "transmit", number_field(&Fog::transmit, k_fraction),
      "the least part that is seen of what is behind it"},
+    {"filter", "filter", "filter", number_field(&Fog::filter, k_fraction),
+     "how far the fog's color tints what is seen through it"},
     {.key = "falloff",
      .name = "falloff",
      .label = "falloff",

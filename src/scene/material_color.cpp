@@ -71,16 +71,19 @@ Material with_color(const Material& material, Color color) {
     return changed;
 }
 
-Material with_texture(const Material& material, const Texture& texture, Color color, double alpha) {
+Material with_texture(const Material& material, const Texture& texture, const ShownTexture& shown) {
     Material changed = material;
     if (texture.mix == TextureMix::replace) {
-        changed = with_color(material, color);
+        changed = with_color(material, shown.color);
+        changed.ambient = with_color(material, shown.ambient).ambient;
+        changed.diffuse = with_color(material, shown.diffuse).diffuse;
     } else {
-        for (Color Material::*const member : {&Material::color, &Material::ambient, &Material::diffuse})
-            changed.*member = material.*member * color;
-        if (texture.mix == TextureMix::multiply_all) changed.emission = material.emission * color;
+        changed.color = material.color * shown.color;
+        changed.ambient = material.ambient * shown.ambient;
+        changed.diffuse = material.diffuse * shown.diffuse;
+        if (texture.mix == TextureMix::multiply_all) changed.emission = material.emission * shown.color;
     }
-    const double opacity = texture.opacity(alpha);
+    const double opacity = texture.opacity(shown.alpha);
     if (opacity == 1) return changed;
     changed.filter = opacity * material.filter;
     changed.transmit = faded_transmit(material.transmit, opacity);

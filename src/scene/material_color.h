@@ -22,8 +22,14 @@ std::optional<double> find_coefficient(Color color, Color k);
 std::array<double, k_color_factors> find_color_factors(
     Color color, const std::array<Color, k_color_factors>& coefficients);
 
-/// The material where the texels of a texture have this color and alpha.
-Material with_texture(const Material& material, const Texture& texture, Color color, double alpha);
+/// What a texture shows at a place.
+struct ShownTexture {
+    Color color;
+    Color ambient, diffuse;  ///< the color in k_a and k_d (Texture::ambient)
+    double alpha = 1;
+};
+/// The material where a texture shows this.
+Material with_texture(const Material& material, const Texture& texture, const ShownTexture& shown);
 
 /// Material::transmit where the part `opacity` of the surface's opacity is left; `filter` is multiplied by
 /// it.

@@ -102,6 +102,13 @@ inline constexpr ItemField<Material> k_material_fields[] = {
      "true: rays that come from behind pass the surface; without effect if transmission > 0"},
     {"refracts", "refracts", "refracts", bool_field(&Material::refracts),
      "true: ior refracts the rays that filter and transmit let through"},
+    {"fade_distance", "fade_distance", "fade distance",
+     number_field(&Material::fade_distance, k_not_negative),
+     "above 0: what filter and transmit let out fades with its distance in the shape"},
+    {"fade_power", "fade_power", "fade power", number_field(&Material::fade_power, k_not_negative),
+     "the power of the distance over fade_distance; from 1000 on the light falls exponentially"},
+    {"fade_color", "fade_color", "fade color", color_field(&Material::fade_color, k_tint, ColorUse::surface),
+     "what is left of white light after a long way"},
 };
 
 /// A key of .glint that gives a field as a factor of the color.

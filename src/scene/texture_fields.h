@@ -58,6 +58,10 @@ inline constexpr ItemField<Texture> k_texture_fields[] = {
      "two rows of three numbers: a u + b v + c and d u + e v + f are used instead of u and v"},
     {"over", "over", "over", texture_field(&Texture::over),
      "the texture that is seen where this one is transparent, or is not; not with mask"},
+    {"ambient", "ambient", "ambient", number_field(&Texture::ambient, k_fraction),
+     "the factor of its color in the surface's k_a: of layers that reflect light differently"},
+    {"diffuse", "diffuse", "diffuse", number_field(&Texture::diffuse, k_fraction),
+     "the factor of its color in the surface's k_d"},
 };
 
 }  // namespace glint

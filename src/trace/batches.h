@@ -176,7 +176,8 @@ struct SurfaceBatch {
     const std::uint32_t* extended_row = nullptr;
     std::vector<double> faded_rows;
     BatchColumn<double> behind;  // 1: the ray hit the back of the shape; else 0
-    BatchColumn<double> hit_t;   // for Beer's law, fog, sees_back(): t of the hit, from RayFields::start on
+    BatchColumn<double>
+        hit_t;  // for Beer's law, fog, fading, sees_back(): t of the hit, from RayFields::start on
     BatchColumn<double> fog[3], visibility;  // the fog's weighted light, and f; if the scene has fog
     BatchColumn<double> straight;            // the ray's, if alpha is wanted
     // If the scene has transparent surfaces: the ray's origin, its t here, and RayFields.
@@ -264,6 +265,7 @@ struct HighlightBatch {
 struct ShadowRayBatch {
     int count = 0;
     BatchColumn<double> origin[3], direction[3], t_min, t_max;
+    bool from_light = false;             // t is 1 at the surface; else 0
     BatchColumn<std::uint8_t> occluded;  // 1: a shape is between the surface and the light; else 0
     BatchColumn<double> filter[3];       // with colored shadows: the factor of the light
 
@@ -281,6 +283,9 @@ struct SteppedRays {
     BatchColumn<double> t;
     BatchColumn<std::uint32_t> slot, element;
     std::array<int, k_batch_size> number;
+    // By number, in worlds whose materials fade: the last surface that was passed, and its t.
+    std::array<SurfaceId, k_batch_size> passed;
+    BatchColumn<double> t_passed;
 
     /// Adds ray i of the span, from t_min on.
     void add(const RaySpan& rays, int i, double from) {

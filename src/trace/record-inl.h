@@ -45,7 +45,7 @@ template <class Visit> inline void for_each_hit(const SurfaceBatch& surfaces, co
 }
 
 /// The surface of a hit.
-inline ExplainedHit recorded_hit(const WorldParts& world, const SurfaceBatch& surfaces, std::size_t h) {
+GLINT_SMALL ExplainedHit recorded_hit(const WorldParts& world, const SurfaceBatch& surfaces, std::size_t h) {
     const auto i = static_cast<int>(h);
     ExplainedHit hit;
     const SurfaceId id = surfaces.surface(i);
@@ -69,8 +69,8 @@ inline ExplainedHit recorded_hit(const WorldParts& world, const SurfaceBatch& su
 }
 
 /// Records a range of rays and their hits, after color_surfaces() and apply_beer_law().
-inline void record_rays(const WorldParts& world, const RayBatch& rays, const HitBatch& hits, RayRange range,
-                        const SurfaceBatch& surfaces, TileRecord& record) {
+GLINT_SMALL void record_rays(const WorldParts& world, const RayBatch& rays, const HitBatch& hits,
+                             RayRange range, const SurfaceBatch& surfaces, TileRecord& record) {
     record.batch.clear();
     const bool camera = rays.generation == 0;
     for (int i = range.begin; i < range.end; ++i) {
@@ -110,7 +110,8 @@ inline void record_rays(const WorldParts& world, const RayBatch& rays, const Hit
                 is_outside ? LaneElements(background_visibility(world, rays, number))[0] : 1);
             if (has_gradient(world))
                 seen.background =
-                    Vector3Elements(gradient_color(*world.gradient, rays, number) * Doubles(seen.visibility))
+                    Vector3Elements(through_fog(world, gradient_color(*world.gradient, rays, number),
+                                                Doubles(seen.visibility)))
                         .color(0);
             if (!ray.transparent || shows_background(world)) ray.background = ray.weight * seen.background;
             ray.visibility = seen.visibility;
@@ -121,7 +122,7 @@ inline void record_rays(const WorldParts& world, const RayBatch& rays, const Hit
 }
 
 /// Records the colors of the unlit shading modes, after add_unlit().
-inline void record_unlit(const WorldParts& world, const SurfaceBatch& surfaces, TileRecord& record) {
+GLINT_SMALL void record_unlit(const WorldParts& world, const SurfaceBatch& surfaces, TileRecord& record) {
     for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
         const Vector3Elements shown(unlit_color(world, surfaces, h));
         for (int k = 0; k < lanes; ++k) {
@@ -136,8 +137,7 @@ template <class Terms>
 inline ShadowFilter recorded_filter(const WorldParts& world, const TileRecord::ShadowStep& step,
                                     const Terms& terms, Vec3 shaded) {
     const Vec3 at = terms.origin + terms.direction * step.t;
-    return {world.geometry->shape_of(step.surface), glint::length(at - shaded), at,
-            shadow_factor(world, step.surface, at)};
+    return {world.geometry->shape_of(step.surface), glint::length(at - shaded), at, step.factor, step.fade};
 }
 /// The transparent surfaces on the way of a shadow ray, from P.
 inline std::vector<ShadowFilter> recorded_filters(const WorldParts& world, const Light& light, int ray,
@@ -177,9 +177,10 @@ inline std::vector<double> sample_weights(const WorldParts& world, const Prepare
 }
 
 /// The samples of an area light whose shadow rays were traced for the surface at index h + k.
-inline std::vector<ShadowSample> recorded_samples(const WorldParts& world, const PreparedLight& light,
-                                                  const SurfaceBatch& surfaces, AreaShadowBatch& shadow,
-                                                  int h, int k, double strength, const TileRecord& record) {
+GLINT_SMALL std::vector<ShadowSample> recorded_samples(const WorldParts& world, const PreparedLight& light,
+                                                       const SurfaceBatch& surfaces, AreaShadowBatch& shadow,
+                                                       int h, int k, double strength,
+                                                       const TileRecord& record) {
     const std::vector<double> weights = sample_weights(world, light, shadow, h + k, strength);
     std::vector<ShadowSample> list;
     for (int sample = 0; sample < light.area.count(); ++sample) {
@@ -206,10 +207,10 @@ inline std::vector<ShadowSample> recorded_samples(const WorldParts& world, const
 }
 
 /// Records one light, after its terms have been added.
-inline void record_light(const WorldParts& world, const PreparedLight& light, const LightRules& rules,
-                         const SurfaceBatch& surfaces, const LightSampleBatch& samples,
-                         const ShadowRayBatch& shadow_rays, AreaShadowBatch& area_shadow,
-                         TileRecord& record) {
+GLINT_SMALL void record_light(const WorldParts& world, const PreparedLight& light, const LightRules& rules,
+                              const SurfaceBatch& surfaces, const LightSampleBatch& samples,
+                              const ShadowRayBatch& shadow_rays, AreaShadowBatch& area_shadow,
+                              TileRecord& record) {
     int rays = 0;
     for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
         const MaterialLanes material(surfaces, h);
@@ -277,7 +278,7 @@ inline void record_light(const WorldParts& world, const PreparedLight& light, co
 }
 
 /// Records the rays of one occlusion sample that are blocked.
-inline void record_sky_rays(const ShadowRayBatch& rays, const SkyBatch& sky, TileRecord& record) {
+GLINT_SMALL void record_sky_rays(const ShadowRayBatch& rays, const SkyBatch& sky, TileRecord& record) {
     for (std::size_t r = 0; r < static_cast<std::size_t>(rays.count); ++r) {
         if (rays.occluded[r] == 0) continue;
         const auto i = static_cast<int>(r);
@@ -287,8 +288,8 @@ inline void record_sky_rays(const ShadowRayBatch& rays, const SkyBatch& sky, Til
 }
 
 /// Records the light from all directions, after its terms have been computed.
-inline void record_sky(const WorldParts& world, const SurfaceBatch& surfaces, const SkyBatch& sky,
-                       const RadianceBatch& radiance, TileRecord& record) {
+GLINT_SMALL void record_sky(const WorldParts& world, const SurfaceBatch& surfaces, const SkyBatch& sky,
+                            const RadianceBatch& radiance, TileRecord& record) {
     for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
         const Vector3Elements factors(sky_factor(world, sky, h));
         for (int k = 0; k < lanes; ++k) {
@@ -315,9 +316,9 @@ struct SecondaryMasks {
 };
 
 /// Records the secondary rays of a vector of hits, when they are queued.
-inline void record_secondary_rays(const WorldParts& world, TileRecord& record, int h,
-                                  const SecondaryMasks& masks, const Vector3<Doubles>& reflected,
-                                  const Vector3<Doubles>& transmitted, Doubles fresnel) {
+GLINT_SMALL void record_secondary_rays(const WorldParts& world, TileRecord& record, int h,
+                                       const SecondaryMasks& masks, const Vector3<Doubles>& reflected,
+                                       const Vector3<Doubles>& transmitted, const Doubles& fresnel) {
     const double min_weight = world.conventions.min_weight;
     const Vector3Elements weights[2] = {Vector3Elements(reflected), Vector3Elements(transmitted)};
     const LaneElements f(fresnel);
@@ -355,7 +356,7 @@ inline void record_secondary_rays(const WorldParts& world, TileRecord& record, i
 }
 
 /// Records that the limit of reflections has stopped the secondary rays.
-inline void record_limit(const WorldParts& world, const SurfaceBatch& surfaces, TileRecord& record) {
+GLINT_SMALL void record_limit(const WorldParts& world, const SurfaceBatch& surfaces, TileRecord& record) {
     for (int h = 0; h < surfaces.count; ++h) {
         ExplainedHit& hit = record.hit(h);
         const double* material = world.material(hit.material);
@@ -365,8 +366,8 @@ inline void record_limit(const WorldParts& world, const SurfaceBatch& surfaces, 
 }
 
 /// Records the light that the hits add to their pixels, after add_to_film().
-inline void record_sums(const WorldParts& world, const SurfaceBatch& surfaces, const RadianceBatch& radiance,
-                        TileRecord& record) {
+GLINT_SMALL void record_sums(const WorldParts& world, const SurfaceBatch& surfaces,
+                             const RadianceBatch& radiance, TileRecord& record) {
     for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
         const MaterialLanes material(surfaces, h);
         const LaneElements mirror(mirror_of(world, material, surfaces, h));
@@ -394,6 +395,7 @@ inline void record_sums(const WorldParts& world, const SurfaceBatch& surfaces, c
                 const TransparencyLanes transparency = transparency_of(world, material, surfaces, h);
                 hit.opacity = LaneElements(transparency.opacity(world.conventions.opacity))[k];
                 hit.through = Vector3Elements(transparency.through()).color(k);
+                hit.fade = surface_fade(world, surfaces, h + k);
             }
             for (int part = 0; part < 4; ++part) hit.parts[part] = parts[part].color(k);
             if (hit.occlusion) hit.occlusion->part = sky.color(k);

@@ -44,6 +44,7 @@ struct TileRecord {
         int ray;  // in the ShadowRayBatch
         SurfaceId surface;
         double t;
+        Color factor, fade;
     };
     std::vector<ShadowStep> shadow_steps;  // the transparent surfaces on the shadow rays of the current light
     struct SampleStep {

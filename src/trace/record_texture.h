@@ -17,6 +17,7 @@ inline ExplainedTexture explained_texture(std::uint32_t texture, const TextureSa
     explained.next_column_weight = sample.right, explained.next_row_weight = sample.lower;
     explained.color = sample.color;
     explained.alpha = sample.alpha;
+    explained.ambient = sample.ambient, explained.diffuse = sample.diffuse;
     return explained;
 }
 

@@ -229,6 +229,8 @@ export interface ShadowFilter {
     distance: number;
     point: Vec3;
     factor: Vec3;
+    /** Where the way to the light leaves an object that fades it: what is left. */
+    fade?: Vec3;
 }
 
 export interface LightTerms extends LightTermValues {
@@ -360,6 +362,12 @@ export interface MaterialValues {
     one_sided: boolean;
     /** true: ior refracts the rays that filter and transmit let through */
     refracts: boolean;
+    /** above 0: what filter and transmit let out fades with its distance in the shape */
+    fade_distance: number;
+    /** the power of the distance over fade_distance; from 1000 on the light falls exponentially */
+    fade_power: number;
+    /** what is left of white light after a long way */
+    fade_color: Vec3;
 }
 
 export interface RayTerms {
@@ -424,6 +432,8 @@ export interface HitTerms {
     opacity?: number;
     /** of a transparent surface: the factor of what is behind it, transmit + filter * color; with angled_opacity, the transmit at this angle */
     through?: Vec3;
+    /** of a surface where light leaves an object that fades it (`fade_distance`): what is left of it */
+    fade?: Vec3;
     /** of a transparent surface: the share of its highlights, as local_share of the rest */
     highlight_share?: number;
     /** of a surface with an outline: the factor of its diffuse light and of the light from all directions */
@@ -501,6 +511,10 @@ export interface TextureTerms {
     color: Vec3;
     /** their alpha, mixed; 1 without one */
     alpha: number;
+    /** the color in k_a, if it is another one */
+    ambient?: Vec3;
+    /** the color in k_d, if it or that in k_a is another one */
+    diffuse?: Vec3;
     /** of one of the layers: its opacity, times what is left of those in front of it; alpha is their sum, and alpha times color is that of weight times color */
     weight?: number;
 }

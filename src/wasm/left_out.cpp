@@ -24,6 +24,7 @@
 #include "trace/lighting/direct_lighting-inl.h"
 #include "trace/lighting/ground_fog.h"
 #include "wasm/api.h"
+#include "world/appearance/fade.h"
 #include "world/appearance/interiors.h"
 #include "world/geometry/pack_solid.h"
 
@@ -67,6 +68,10 @@ void HWY_NAMESPACE::add_light_with_fault(const WorldParts&, const PreparedLight&
 double fog_along(FogLine, double, double) {
     leave_out();
     return 0;
+}
+Color fade_at(const WorldParts&, SurfaceId, Vec3, Vec3, double) {
+    leave_out();
+    return {1, 1, 1};
 }
 void find_interiors(WorldParts&) { leave_out(); }
 std::uint32_t camera_interiors_at(const WorldParts&, Vec3) { return 0; }

@@ -118,7 +118,7 @@ Result<World> with_fog(const World& world, const std::optional<Fog>& fog) {
         Scene given;
         given.fog = fog;
         return changed(world, find_mistakes(given, ScenePart::background),
-                       [&](WorldParts& parts) { parts.fog = fog; });
+                       [&](WorldParts& parts) { set_fog(parts, fog); });
     });
 }
 

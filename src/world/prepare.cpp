@@ -32,7 +32,7 @@ Result<World> prepare_valid(const Scene& scene, std::vector<Diagnostic> diagnost
     set_colors(parts, scene.shape_colors, options.threads);
     set_lights(prepare_lights(scene.lights), parts);
     parts.background = scene.background;
-    parts.fog = scene.fog;
+    set_fog(parts, scene.fog);
     set_gradient(scene.gradient, parts);
     set_occlusion(scene.occlusion, parts);
     parts.scene_camera = scene.camera;

@@ -102,6 +102,7 @@ struct WorldParts {
     Color ambient{0, 0, 0};  // I_a: the sum of the ambient lights
     Color background;
     std::optional<Fog> fog;
+    Color fog_tint{1, 1, 1};  // the factor of what is seen through it (Fog::filter): set_fog()
     std::optional<BackgroundGradient> gradient;  // `up` is a unit vector
     std::optional<Occlusion> occlusion;
     double direct = 1;  // the factor of the light of the lights but the ambient ones (Occlusion::direct)

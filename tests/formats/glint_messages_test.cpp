@@ -33,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"expected a number from -1e6 to 1e6, found '-2e6'"}},
         BadText{"shape_color_of_a_group",
                 CAMERA LIGHT "group { $shape_color = (1, 0, 0) " BALL "} }",
-                {"a group has no 'shape_color'"}},
+                {"a group has no 'shape_color'; did you mean `fade_color`?"}},
         BadText{"bytes_of_the_background", CAMERA LIGHT BALL "}\nbackground = $(0, 0, 255)", {COLOR_WARNING}},
         BadText{"bytes_of_a_light",
                 CAMERA BALL "} light { position = (1, 9, 1)  color = $(255, 255, 255) }",

@@ -2,6 +2,7 @@
 // Layered textures of POV-Ray, and `over` of .glint. The stage `peers` compares their pictures with
 // POV-Ray's.
 #include "formats/povray_text.h"
+#include "trace/pictures.h"
 
 namespace glint::test {
 namespace {
@@ -43,8 +44,25 @@ TEST(PovrayLayers, OpaqueOnesHideThoseBelow) {
     EXPECT_TRUE(scene->textures.empty());
 }
 
-TEST(PovrayLayers, WithSeveralFinishesAreWarnedOf) {
-    for (const std::string_view finish : {"phong 0.5", "reflection 0.2", "ambient 0.3"}) {
+TEST(PovrayLayers, WithSeveralFinishesHaveShares) {
+    const Result<Scene> scene = read_layers(
+        "texture { pigment { rgb x } finish { ambient 0.4 diffuse 0.3 } } texture { pigment { "
+        "rgbt <0, 1, 0, 0.5> } finish { ambient 0.1 diffuse 0.6 phong 0.2 } }");
+    ASSERT_TRUE(scene) << messages(scene);
+    EXPECT_EQ(messages(scene), "");
+    const Material& material = scene->materials[scene->shapes[0].material];
+    EXPECT_EQ(material.ambient, (Color{0.4, 0.4, 0.4}));
+    EXPECT_EQ(material.diffuse, (Color{0.6, 0.6, 0.6}));
+    const Texture &top = scene->textures[material.texture], &lower = scene->textures[top.over];
+    EXPECT_EQ(top.ambient, 0.25);
+    EXPECT_EQ(top.diffuse, 1);
+    EXPECT_EQ(lower.ambient, 1);
+    EXPECT_EQ(lower.diffuse, 0.5);
+}
+
+TEST(PovrayLayers, WithSeveralHighlightsAreWarnedOf) {
+    for (const std::string_view finish :
+         {"phong 0.5", "reflection 0.2", "ambient <0.3, 0.1, 0>", "emission 0.3", "brilliance 2"}) {
         const std::string lower = "texture { pigment { rgb x } finish { " + std::string(finish) + " } }";
         EXPECT_NE(messages(read_layers(lower + std::string(k_lines))).find("layered textures"),
                   std::string::npos)
@@ -153,6 +171,37 @@ Result<Scene> read_over(const std::string& of_a, const std::string& of_b) {
                          of_a + "}\ntexture b {" + map + of_b +
                          "}\nsphere { center = (0, 0, 0)  radius = 1  texture = a }\n",
                      "a.glint");
+}
+
+// Each layer has its own part of the ambient and diffuse light.
+TEST(Layers, MayReflectLightDifferently) {
+    const auto drawn = [](const std::string& of_a, const std::string& of_b, const std::string& light) {
+        const std::string map = "mapping = planar  color_map = ((0, (0.6, 0.8, 0.4), ";
+        const Result<Scene> scene = load_text(
+            "camera { position = (0, 2, 8)  look_at = (0, 1, 0)  fov_x = 20 }\n"
+            "render { size = 8 x 6 }\n" +
+                light + "texture a { " + map + "0.5))  over = b  " + of_a + " }\ntexture b { " + map +
+                "1))  " + of_b +
+                " }\nsphere { center = (0, 1, 0)  radius = 3  texture = a  color = (1, 1, 1)  "
+                "ambient = 0.4  diffuse = 0.6 }\n",
+            "a.glint");
+        EXPECT_TRUE(scene) << messages(scene);
+        return scene ? render_scene(*scene).rgb : std::vector<float>{};
+    };
+    const std::string lights[] = {"light { type = ambient }\n",
+                                  "light { type = point  position = (1, 3, 9) }\n"};
+    const std::string shares[] = {"ambient = ", "diffuse = "};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::string &light = lights[i], own = shares[i], other = shares[1 - i];
+        const std::vector<float> whole = drawn("", "", light);
+        EXPECT_EQ(drawn(other + "0.5", other + "0", light), whole);
+        const std::vector<float> front = drawn("", own + "0", light),
+                                 half = drawn(own + "0.5", own + "0", light);
+        for (std::size_t k = 0; k < whole.size(); ++k) {
+            EXPECT_NEAR(front[k], whole[k] / 2, 1e-6);
+            EXPECT_NEAR(half[k], whole[k] / 4, 1e-6);
+        }
+    }
 }
 
 TEST(Layers, HaveNoCirclesAndNoMasks) {

@@ -16,7 +16,17 @@ TEST(PovRayMissing, PartsOfAnInteriorAreNamedIfItCanBeSeenInto) {
     EXPECT_NE(said(before + "media { emission 1 } } }").find("2:57: warning: glint does not render `media`"),
               std::string::npos)
         << said(before + "media { emission 1 } } }");
-    EXPECT_NE(said(before + "fade_power 2 fade_distance 1 } }").find("`fade_power`"), std::string::npos);
+    EXPECT_EQ(said(before + "fade_power 2 fade_distance 1 } }"), "");
+    EXPECT_NE(said(before + "fade_power -2 fade_distance 1 } }").find("fade_power' (below 0)"),
+              std::string::npos);
+    const std::string faded = " pigment { rgbt 1 } interior { fade_distance 1 } }";
+    EXPECT_EQ(
+        said("mesh { triangle { 0, y, x } triangle { 0, x, z } triangle { 0, y, z } triangle { x, y, z }" +
+             faded),
+        "");
+    EXPECT_NE(said("mesh { triangle { 0, y, x } triangle { 0, x, z } triangle { 0, y, z }" + faded)
+                  .find("of a mesh that is open"),
+              std::string::npos);
     EXPECT_NE(said(before + "caustics 1 } }").find("`caustics`"), std::string::npos);
     EXPECT_NE(said(before + "ior 1.2 dispersion 1.1 } }").find("`dispersion`"), std::string::npos);
     const std::string named =
@@ -86,8 +96,6 @@ TEST(PovRayMissing, RefractionOfThreeObjectsWithinEachOther) {
           std::string("sphere { 0, 1 pigment { rgbt 1 } finish { ior 1.2 } interior { ior 1.7 } }")}) {
         EXPECT_NE(said(text).find("`ior` (of a"), std::string::npos) << text << said(text);
     }
-    EXPECT_NE(said("sphere { 0, 1 pigment { rgbt 1 } interior { fade_distance 2 } }").find("`fade_distance`"),
-              std::string::npos);
     EXPECT_NE(said("sphere { 0, 1 pigment { rgbt 1 } finish { refraction .5 ior 2 } }").find("`refraction`"),
               std::string::npos);
     const std::string prism = "prism { 0, 1, 4, <-9, -9>, <9, -9>, <0, 9>, <-9, -9> translate -.5*y } ";

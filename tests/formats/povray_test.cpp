@@ -32,6 +32,9 @@ TEST(PovRay, FunctionsComputeAsDocumented) {
     EXPECT_NEAR(value_of("degrees(atan2(1, 1))"), 45, 1e-9);
     EXPECT_NEAR(value_of("min(3, 1, 2) + max(3, 1, 2)"), 4, k_pov_near);
     EXPECT_NEAR(value_of("mod(7, 3) + div(7, 3)"), 3, k_pov_near);
+    EXPECT_NEAR(value_of("mod(1, 0.1)"), 0.1, k_pov_near);  // 0.1 is a little more than a tenth
+    EXPECT_EQ(value_of("mod(-7.5, 2)"), -1.5);
+    EXPECT_EQ(value_of("strcmp(str(mod(-6, 2), 0, 2), \"-0.00\")"), 0);
     EXPECT_NEAR(value_of("vlength(<3, 4, 0>)"), 5, k_pov_near);
     EXPECT_NEAR(value_of("vdot(vcross(x, y), z)"), 1, k_pov_near);
     EXPECT_NEAR(value_of("vrotate(x, 90*z).y"), 1, k_pov_near);
@@ -248,6 +251,7 @@ TEST(PovRay, FogOnTheGround) {
         "fog { fog_type 2 distance 4 rgb .5 fog_offset 2 fog_alt 3 up 2*x rotate 90*z translate 5 }\nsphere "
         "{ 0, 1 }");
     ASSERT_TRUE(scene.fog);
+    EXPECT_EQ(read_povray("fog { distance 4 rgbft <.5, .5, .5, .3, .2> }\nsphere { 0, 1 }")->fog->filter, .3);
     EXPECT_EQ(scene.fog->density, .25);
     EXPECT_EQ(scene.fog->falloff, 3);
     EXPECT_EQ(scene.fog->height, 2);
@@ -358,7 +362,8 @@ TEST(PovRay, AreaLightsShineFromTheirCentre) {
     EXPECT_TRUE(cone.is_parallelogram() && cone.is_spot());
     expect_vec(cone.axis, {1, -1, 0});
     EXPECT_EQ(cone.outer_angle, 20);
-    EXPECT_EQ(povray_scene(spot + "area_light x, z, 1, 1 }\nsphere { 0, 1 }").lights.at(1).kind, LightKind::spot);
+    EXPECT_EQ(povray_scene(spot + "area_light x, z, 1, 1 }\nsphere { 0, 1 }").lights.at(1).kind,
+              LightKind::spot);
 }
 
 TEST(PovRay, APovIsOfCsc473IfItsWholeTextIs) {

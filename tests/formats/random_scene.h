@@ -61,6 +61,7 @@ class RandomScene {
         if (fog.has_density()) fog.density = length();
         if (fog.has_end()) fog.end = fog.start + between(0.1, 9);
         fog.transmit = often() ? 0 : fraction();
+        fog.filter = often() ? 0 : fraction();
         s.fog = fog;
     }
     void make_sky(Scene& s) {
@@ -194,6 +195,8 @@ class RandomScene {
         if (pick(4) == 0) m.hollow = true;
         if (pick(4) == 0) m.one_sided = true;
         if (pick(4) == 0) m.refracts = true;
+        if (pick(4) == 0) m.fade_distance = length(), m.fade_power = 1e9 * fraction();
+        if (pick(4) == 0) m.fade_color = {fraction(), fraction(), 1};
         if (pick(4) == 0) m.interior = static_cast<std::int32_t>(pick(1000)) + 1;
         if (pick(3) == 0) {
             m.transmission = 0;

@@ -74,6 +74,7 @@ class SceneFingerprint {
         add(m.emission), add(m.brilliance), add(m.metallic), add(m.phong), add(m.phong_shininess);
         add(m.tinted_highlight), add(m.mirror_falloff), add(m.mirror_min), add(m.mirror_metallic);
         add(m.filter), add(m.transmit), add(m.outline), add(m.outline_width), add(m.angled_opacity);
+        add(m.fade_distance), add(m.fade_power), add(m.fade_color);
         add(m.hollow), add(m.one_sided), add(m.refracts), add(static_cast<double>(m.interior));
     }
     void add(const Affine& map) {
@@ -93,7 +94,7 @@ class SceneFingerprint {
             line("fog");
             out_ += ' ' + std::string(to_string(s_.fog->kind));
             add(s_.fog->color);
-            add(s_.fog->start), add(s_.fog->transmit);
+            add(s_.fog->start), add(s_.fog->transmit), add(s_.fog->filter);
             add(s_.fog->has_density() ? s_.fog->density : s_.fog->end);
         }
         if (s_.gradient) {

@@ -243,7 +243,8 @@ TEST(Misuse, OfLights) {
     EXPECT_FALSE(odd.is_ambient() || odd.has_position() || odd.has_direction() || odd.has_attenuation() ||
                  odd.falls_off() || odd.moves_samples() || odd.fades() || odd.is_spot() ||
                  odd.is_parallelogram() || odd.is_disc() || odd.is_sphere() || odd.is_area() ||
-                 odd.is_flat() || odd.has_radius() || odd.has_axis() || odd.has_emitter_cosine());
+                 odd.is_flat() || odd.may_be_one_sided() || odd.has_radius() || odd.has_axis() ||
+                 odd.has_emitter_cosine());
     EXPECT_TRUE(odd.has_specular_color());  // as of all that are not ambient
     EXPECT_EQ(odd.way_from({k_nan, k_nan, k_nan}), odd.to_light);
 }

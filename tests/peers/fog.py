@@ -53,6 +53,14 @@ def pov_on_ground(name, fog, objects=None, camera="", head=""):
     return rule
 
 
+def pov_filter_fog(name, fog):
+    """A fog that tints what is behind it; the sky and a mirror show it, too."""
+    rule = pov_on_ground("pov_fog_filter_" + name, "")
+    rule.peer = rule.peer.replace("fog_type 2 distance 9  color rgbt <0.6, 0.7, 0.9, 0.1>", f"distance 9 {fog}")
+    assert fog in rule.peer
+    return rule
+
+
 def pov_orthographic_in_fog(name, objects):
     """Some rays start below the floor, or in the objects."""
     rule = pov_in_fog(name, objects)
@@ -92,6 +100,9 @@ RULES = [
     pov_in_fog("pov_fog_sphere", BALL.format(x=0, z=0, more="texture { Clear }")),
     pov_in_fog("pov_fog_sphere_hollow", BALL.format(x=0, z=0, more="texture { Clear } hollow")),
     pov_in_fog("pov_fog_spheres", balls()),
+    *[pov_filter_fog(name, fog) for name, fog in (("whole", "color rgbf <0.6, 0.7, 0.9, 1>"), ("half", "color rgbf <0.6, 0.4, 0.9, 0.5>"),
+                                                  ("transmit", "color rgbft <0.6, 0.4, 0.9, 0.4, 0.3>"),
+                                                  ("ground", "fog_type 2 fog_offset 0.3 fog_alt 0.4 color rgbf <0.6, 0.7, 0.5, 0.7>"))],
     pov_in_fog("pov_fog_nested", balls() + "sphere { <-0.5, 0.7, -0.8>, 0.6 texture { Clear } }"),
     pov_in_fog("pov_fog_union", "union { " + balls() + "}"),
     pov_in_fog("pov_fog_union_interiors",

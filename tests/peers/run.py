@@ -15,6 +15,7 @@ import zlib
 import alpha
 import averages
 import dat
+import fading
 import finish
 import fog
 import height_fields
@@ -35,7 +36,7 @@ import transparency
 
 SHARE = 0.99
 LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES, output.RULES, dat.RULES, pov.RULES,
-         images.RULES, layers.RULES, averages.RULES, patterns.RULES, quadrics.RULES, refraction.RULES, solids.RULES, sweeps.RULES,
+         images.RULES, layers.RULES, averages.RULES, patterns.RULES, quadrics.RULES, refraction.RULES, fading.RULES, solids.RULES, sweeps.RULES,
          height_fields.RULES, tori.RULES, texts.RULES]
 
 

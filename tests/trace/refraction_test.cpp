@@ -113,6 +113,86 @@ TEST(Refraction, IsExplained) {
     EXPECT_GT(total, 20);
 }
 
+// Seen along the axis of a box of depth 1.2: what is behind it is multiplied by the formula's factor, also
+// for a refracted ray along the normal; the shadow ray of a light behind it, too.
+TEST(Fading, FollowsItsFormula) {
+    const auto drawn = [](const std::string& fade) {
+        const auto scene = load_text(
+            "conventions { transparency = highlights  mirror = add  transparent_shadow = colored  facing = "
+            "all }\n"
+            "render { size = 4 x 4  shading = phong  reflections = 4 }\n"
+            "camera { projection = orthographic  position = (0, 0, 5)  look_at = (0, 0, 0)  width = 0.1 }\n"
+            "light { type = directional  direction = (0, 0, 1) }\n"
+            "box { min = (-1, -1, -0.5)  max = (1, 1, 0.7)  color = (1, 1, 1)  ambient = 0  diffuse = 0  "
+            "transmit = 1  " +
+                fade +
+                " }\nplane { point = (0, 0, -2)  normal = (0, 0, 1)  color = (1, 1, 1)  ambient = 0  diffuse "
+                "= 1 }\n",
+            "fade.glint");
+        EXPECT_TRUE(scene.has_value()) << scene.message;
+        return scene ? render_scene(*scene).rgb : std::vector<float>(3);
+    };
+    EXPECT_EQ(drawn("fade_distance = 0  fade_power = 2")[0], drawn("")[0]);
+    const double d = 1.2;
+    for (const std::string ior : {"", "  refracts = true  ior = 1.5"}) {
+        const auto expect = [&](const std::string& fade, Color t) {
+            const std::vector<float> rgb = drawn(fade + ior);
+            const double channels[] = {t.r, t.g, t.b};
+            for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(rgb[c], channels[c] * channels[c], 1e-6) << fade;
+        };
+        const double linear = 1 / (1 + d / 3), cubic = 1 / (1 + std::pow(d / 0.5, 3)),
+                     exponential = std::exp(-d / 2);
+        expect("fade_distance = 3", {linear, linear, linear});
+        expect("fade_distance = 0.5  fade_power = 3  fade_color = (1, 0.5, 0)",
+               {1, 1 - 0.5 * (1 - cubic), cubic});
+        expect("fade_distance = 2  fade_power = 1000", {exponential, exponential, exponential});
+        expect("fade_distance = 2  fade_power = 1000  fade_color = (1, 0.5, 0)",
+               {1, std::exp(-d / 4), exponential});
+    }
+}
+
+TEST(Fading, IsExplained) {
+    const Scene scene = room(
+        "light { type = point  position = (0, 3, -3) }\nconventions { transparent_shadow = colored }\n"
+        "box { min = (-0.8, -0.2, -0.5)  max = (0.7, 0.9, 0.6)  color = (0.5, 0.9, 0.7)  ambient = 0.1 "
+        "diffuse = 0.2  mirror = 0.2  filter = 0.8  refracts = true  ior = 1.7  fade_distance = 0.7  "
+        "fade_color = (0.9, 0.4, 0.1) }");
+    const auto world = make_world(scene);
+    ASSERT_TRUE(world);
+    int faded = 0, total = 0, shadows = 0;
+    for (int y = 1; y < scene.settings.height; y += 4) {
+        for (int x = 1; x < scene.settings.width; x += 4) {
+            const Result<Explanation> e = explain(scene, *world, x, y);
+            ASSERT_TRUE(e) << e.message;
+            expect_added_up(*e, x, y);
+            for (const ExplainedRay& ray : e->rays) {
+                if (!ray.hit) continue;
+                const ExplainedHit& hit = *ray.hit;
+                for (const LightTerms& light : hit.lights) {
+                    Color product{1, 1, 1};
+                    for (auto filter = light.filters.rbegin(); filter != light.filters.rend(); ++filter)
+                        product = product * filter->factor * filter->fade;
+                    if (light.visible > 0 && light.filters.size() > 1) {
+                        EXPECT_EQ(product, light.filter);
+                        ++shadows;
+                    }
+                }
+                if (hit.fade == Color{1, 1, 1}) continue;
+                if (hit.fresnel == 1 && hit.reflected.state == SecondaryRayState::traced) {
+                    EXPECT_EQ(hit.reflected.weight, hit.weight * hit.fade);
+                    ++total;
+                } else if (hit.transmitted.state == SecondaryRayState::traced) {
+                    EXPECT_EQ(hit.transmitted.weight, hit.weight * hit.through * hit.fade);
+                    ++faded;
+                }
+            }
+        }
+    }
+    EXPECT_GT(faded, 20);
+    EXPECT_GT(total, 5);
+    EXPECT_GT(shadows, 20);
+}
+
 TEST(Refraction, OfHollowObjectsIsInTheFog) {
     const std::string fog =
         "fog { type = exp  density = 0.3  color = (1, 1, 1) }\nconventions { fog_extent = outside_objects "

@@ -171,7 +171,7 @@ test('the facts of a scene', () => {
     assert.deepEqual(info.lights[1].place, {file: 'cgfs/three_mirrors.cgfs', line: 12, column: 1});
     assert.deepEqual(info.light_fields.map((field) => field.name), ['color', 'specular_color', 'position', 'to_light',
         'axis', 'inner_angle', 'outer_angle', 'tightness', 'side_u', 'side_v', 'radius', 'samples_u', 'samples_v', 'one_sided', 'jitter',
-        'adaptive', 'circular', 'oriented', 'attenuation', 'fade_distance', 'fade_power', 'casts_shadows']);
+        'adaptive', 'circular', 'oriented', 'cone', 'attenuation', 'fade_distance', 'fade_power', 'casts_shadows']);
     assert.deepEqual(info.light_fields[3].keys, ['to_light', 'direction']);
     assert.deepEqual(info.lights.map((light) => info.light_fields.filter((field) => field.name in light).length), [1, 7, 4]);
     assert.deepEqual(info.camera_fields.map((field) => field.name), ['position', 'look_at', 'up', 'fov', 'width', 'lighting_eye']);
@@ -203,9 +203,9 @@ camera { projection = orthographic  position = (0, 0, 6)  width = 10 }
 light { type = ambient }
 sphere { center = (0, 0, 0)  radius = 1  ambient_color = (1, 0, 0) }\n`}]});
     const {info} = scene;
-    assert.deepEqual(info.fog_fields.map((field) => field.name), ['color', 'density', 'start', 'end', 'transmit', 'falloff', 'height', 'up']);
+    assert.deepEqual(info.fog_fields.map((field) => field.name), ['color', 'density', 'start', 'end', 'transmit', 'filter', 'falloff', 'height', 'up']);
     assert.deepEqual(info.fog, {kind: 'linear', place: {file: 'ball.glint', line: 3, column: 1},
-        color: [0.5, 0.5, 0.5], start: 0, end: 10, transmit: 0});
+        color: [0.5, 0.5, 0.5], start: 0, end: 10, transmit: 0, filter: 0});
     const {pixels} = scene.renderPixels(0, 2, 3, 1);
     assert.deepEqual([...pixels], [0, 0, 0, 0, 0, 0, 0, 0, 191, 64, 64, 255]);  // half of it is seen
     const {rays, alpha} = scene.explain(2, 2);

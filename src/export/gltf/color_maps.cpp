@@ -29,15 +29,21 @@ TextureColor mean_color(const Texture& texture) {
 
 // The material with the mean color of its texture, and of those that this one is over.
 Material mean_material(const Scene& scene, const Material& material) {
-    Color color;
+    ShownTexture sum;
     double left = 1;
     for (std::uint32_t i = material.texture; i != k_none; i = scene.textures[i].over) {
-        const TextureColor layer = mean_color(scene.textures[i]);
-        color = color + layer.color * (left * layer.alpha);
+        const Texture& texture = scene.textures[i];
+        const TextureColor layer = mean_color(texture);
+        const Color color = layer.color * (left * layer.alpha);
+        sum.color = sum.color + color;
+        sum.ambient = sum.ambient + color * texture.ambient;
+        sum.diffuse = sum.diffuse + color * texture.diffuse;
         left -= left * layer.alpha;
     }
-    Material mean = with_texture(material, scene.textures[material.texture],
-                                 left < 1 ? color * (1 / (1 - left)) : color, 1 - left);
+    sum.alpha = 1 - left;
+    for (Color* const color : {&sum.color, &sum.ambient, &sum.diffuse})
+        if (left < 1) *color = *color * (1 / sum.alpha);
+    Material mean = with_texture(material, scene.textures[material.texture], sum);
     mean.texture = k_none;
     return mean;
 }

@@ -96,6 +96,8 @@ std::optional<UvTransform> transform_of(const UvMap& map) {
 void TextureList::warn(const Texture& texture) {
     if (texture.has_wrap(TextureWrap::once) || texture.has_wrap(TextureWrap::clip))
         losses_.add("textures with the wrap `once` or `clip`", "they are written as `clamp`");
+    if (texture.ambient != 1 || texture.diffuse != 1)
+        losses_.add("`ambient` and `diffuse` of textures", "they are left out");
     if (texture.over != k_none) losses_.add("textures over others", "the one in front is written");
     if (texture.image->words.index() == 1)
         losses_.add("textures with 16 bits a channel that all programs read", "they are written with 8");

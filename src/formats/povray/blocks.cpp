@@ -53,7 +53,7 @@ std::shared_ptr<const Opaque> TextureParser::read_opaque(Word word, const Token&
             take();
         }
     }
-    Opaque out{word, at, 1, {}};
+    Opaque out{word, at};
     if (word == Word::k_color_map || word == Word::k_colour_map) {
         read_color_map(out.map);
     } else if (word == Word::k_sky_sphere) {
@@ -64,9 +64,9 @@ std::shared_ptr<const Opaque> TextureParser::read_opaque(Word word, const Token&
     return make_counted<const Opaque>(std::move(out));
 }
 
-// { [identifier] items }, after `interior`
-Opaque TextureParser::read_interior(const Token& at) {
-    Opaque out{Word::k_interior, at, 1, {}};
+// { [identifier] items }, after `interior`; added to one before it
+Opaque TextureParser::read_interior(const Token& at, const Opaque* before) {
+    Opaque out = before ? *before : Opaque{Word::k_interior, at};
     if (!expect('{')) return out;
     while (!failed() && !accept('}')) {
         const Token item = take();
@@ -74,17 +74,18 @@ Opaque TextureParser::read_interior(const Token& at) {
         const Value* value = find_value(item);
         if (const auto* held = value ? std::get_if<std::shared_ptr<const Opaque>>(value) : nullptr) {
             out.ior = (*held)->ior;
+            out.fade = (*held)->fade;
             out.missing = (*held)->missing;
         } else if (item.word() == Word::k_ior) {
             out.ior = number();
         } else if (item.word() == Word::k_fade_distance) {
-            if (number() > 0) {
-                out.missing.add({"fade_distance", "light lost inside an object", call_place(item)});
-            }
+            out.fade.distance = number();
         } else if (item.word() == Word::k_fade_power) {
-            if (number() > 0) {
-                out.missing.add({"fade_power", "light lost inside an object", call_place(item)});
-            }
+            out.fade.power = number();
+        } else if (item.word() == Word::k_fade_color || item.word() == Word::k_fade_colour) {
+            const Color given = rgb_of(color(true));
+            out.fade.color = {std::max(given.r, 0.0), std::max(given.g, 0.0), std::max(given.b, 0.0)};
+            if (!(out.fade.color == given)) out.missing.add({"fade_color", "below 0", call_place(item)});
         } else if (name == "caustics" || name == "dispersion") {
             if (number() != (name == "caustics" ? 0 : 1)) out.missing.add(missing(item, name));
         } else if (name == "media") {
@@ -118,7 +119,7 @@ MaterialValue TextureParser::read_material() {
         if (item.word() == Word::k_texture) {
             material.texture = layered(material.texture, read_texture());
         } else if (item.word() == Word::k_interior) {
-            material.interior = read_opaque(Word::k_interior, item);
+            material.interior = make_counted<const Opaque>(read_interior(item, material.interior.get()));
         } else if (item.word() == Word::k_interior_texture) {
             skip_block();
             material.missing.add(missing(item, "interior_texture"));

@@ -25,7 +25,7 @@ void DirectiveParser::read_fopen() {
         return error(use, fmt::format("expected `read`, `write` or `append`, found {}", describe(use)));
     warn_once("fopen", name,
               fmt::format("glint writes no files: `#write` to {} has no effect", quoted(*file)));
-    assign(name.name, false, make_counted<const Opaque>(Opaque{Word::k_fopen, name, 1, {}}));
+    assign(name.name, false, make_counted<const Opaque>(Opaque{Word::k_fopen, name}));
 }
 
 // Whether the name is that of an open file; else an error.

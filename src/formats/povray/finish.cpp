@@ -34,6 +34,9 @@ void SceneBuilder::finish(const Token& scene_at) {
     check_bailout();
     use_interiors();
     check_refraction();
+    check_fading();
+    if (scene_.fog && media_attenuation_)
+        report({"media_attenuation", "of a light in fog", *media_attenuation_});
 }
 
 // `no_reflection` matters only where something reflects.

@@ -91,7 +91,7 @@ void TextureParser::read_finish(Finish& finish) {
                 skip_block();
                 break;
             case Word::k_ior:
-                finish.interior = make_counted<const Opaque>(Opaque{Word::k_interior, item, number(), {}});
+                finish.interior = make_counted<const Opaque>(Opaque{Word::k_interior, item, number()});
                 break;
             default: {
                 if (item.kind == TokenKind::word && text_of(item) == "refraction") {

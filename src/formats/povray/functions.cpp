@@ -21,6 +21,20 @@ double floor_of(double x) {
 }
 double truncate(double x) { return x < 0 ? -floor_of(-x) : floor_of(x); }
 
+// a minus the whole multiple of b below it in size, exactly, with the sign of a, as C's fmod().
+double remainder(double a, double b) {
+    double rest = number::abs(a);
+    const double size = number::abs(b);
+    if (!(rest >= size)) return a;
+    if (!(rest < number::k_infinity)) return 0;
+    double step = size;
+    while (step <= rest / 2) step *= 2;
+    for (; step >= size; step /= 2) {
+        if (rest >= step) rest -= step;
+    }
+    return a < 0 ? -rest : rest;
+}
+
 // The sine and cosine of an angle in radians of any finite size.
 double reduced(double x) {
     if (x <= 1e5 && x >= -1e5) return x;
@@ -218,7 +232,7 @@ Numbers ValueParser::call(const Token& name) {
                 error(name, "expected a divisor other than 0");
                 return {};
             }
-            return name.word() == Word::k_div ? truncate(a / b) : a - truncate(a / b) * b;
+            return name.word() == Word::k_div ? truncate(a / b) + 0.0 : remainder(a, b);
         }
         case Word::k_min:
         case Word::k_max: {

@@ -22,6 +22,7 @@ void SceneBuilder::inherit_interior(const Object& object, Inherited& own) {
     const bool has_parts = object.kind == ObjectKind::group || object.kind == ObjectKind::mesh ||
                            object.kind == ObjectKind::height_field;
     own.body = has_parts ? ++bodies_ : 0;
+    own.is_union = object.kind == ObjectKind::group && object.stands_for.empty();
 }
 
 // The shapes from `first` on have been added.
@@ -35,7 +36,7 @@ void SceneBuilder::note_interior(std::size_t first, const Inherited& own) {
             return;
         }
     }
-    interiors_.push_back({first, end, own.body, own.is_hollow});
+    interiors_.push_back({first, end, own.body, own.is_hollow, own.is_union});
 }
 
 // Warns of what is around the camera and has an inside in POV-Ray, but not here.
@@ -63,9 +64,10 @@ void SceneBuilder::check_camera_inside() {
 }
 
 void SceneBuilder::note_inside(const Object& object, const Inherited& own, std::size_t first) {
-    if (!object.stands_for.empty() && object.stands_for != "polygon" && object.stands_for != "height_field" &&
-        !(scene_.fog && own.is_hollow))
-        with_inside_.push_back({first, scene_.shapes.size(), object.at});
+    const bool is_inverse = object.is_inverse && !own.in_solid && !own.is_hollow;
+    const bool is_mesh = !object.stands_for.empty() && object.stands_for != "polygon" &&
+                         object.stands_for != "height_field" && !(scene_.fog && own.is_hollow);
+    if (is_inverse || is_mesh) with_inside_.push_back({first, scene_.shapes.size(), object.at});
 }
 
 // Gives the shapes materials with their interiors, if the scene has fog or refraction.

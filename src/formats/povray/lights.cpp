@@ -64,6 +64,8 @@ Object ObjectParser::read_light(const Token& word) {
                 skip_block();
                 break;
             case Word::k_media_attenuation:
+                if (flag()) source.media_attenuation = call_place(item);
+                break;
             case Word::k_media_interaction:
                 flag();
                 break;

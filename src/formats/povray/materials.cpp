@@ -18,16 +18,20 @@ bool has_nothing_else(const Texture& texture, const Opaque* interior, bool is_me
     return !has_warnings(texture) && interior == nullptr && !is_merge;
 }
 
-// Whether a layer below that of the finish `top` looks as if it had this finish.
+// Whether a layer below that of the finish `top` looks as if it had this finish, but for ambient and diffuse.
 bool looks_the_same_below(const Finish& below, const Finish& top) {
     const auto has_highlight = [](const Finish& f) { return f.phong > 0 || f.specular > 0; };
     const bool is_matte = !has_highlight(below) && below.reflection_max == Color{0, 0, 0};
     const bool has_color = (top.metallic != 0 && has_highlight(top)) || top.reflection_metallic != 0;
-    return is_matte && !has_color && below.ambient == top.ambient && below.emission == top.emission &&
-           below.diffuse == top.diffuse && below.brilliance == top.brilliance;
+    return is_matte && !has_color && below.emission == top.emission && below.brilliance == top.brilliance;
 }
 
-double largest(Color c) { return std::max({c.r, c.g, c.b}); }
+// Whether a color is `most` times a number from 0 on.
+bool is_part(Color color, Color most) {
+    const double x = largest(color), y = largest(most);
+    const Color off = color * y + most * -x;
+    return x >= 0 && number::abs(off.r) + number::abs(off.g) + number::abs(off.b) <= 1e-9 * y;
+}
 
 }  // namespace
 
@@ -74,19 +78,34 @@ bool has_warnings(const Texture& texture) {
            texture.finish.has_no_refraction || texture.below;
 }
 
+Fade SceneBuilder::fade_of(const Inherited& own) {
+    if (!own.interior || !(own.interior->fade.distance > 0)) return {};
+    Fade fade = own.interior->fade;
+    fade.distance = std::min(fade.distance, k_not_negative.max);
+    fade.power = std::clamp(fade.power, 0.0, k_not_negative.max);
+    return fade;
+}
+
 std::uint32_t SceneBuilder::material_of(const Inherited& own, const Token& at) {
     const Texture& texture = *own.texture;
     const Finish& f = texture.finish;
+    layer_light_.reset();
+    if (texture.below) layer_light_ = light_of_layers(texture);
+    const Color ambient = layer_light_ ? layer_light_->ambient : f.ambient;
+    const double diffuse = layer_light_ ? layer_light_->diffuse : f.diffuse;
     const Look look = look_of(own, at);
     const std::array<double, 5>& p = look.color;
     const double ior = ior_of(own);
-    NumberTable<35>::Key key;
+    NumberTable<40>::Key key;
     const TextureNumbers numbers = numbers_of(texture);
     *std::copy(numbers.begin(), numbers.end(), key.begin()) = own.is_no_shadow ? 1.0 : 0.0;
     std::copy(p.begin(), p.end(), key.begin());
+    key[5] = ambient.r, key[6] = ambient.g, key[7] = ambient.b, key[8] = diffuse;
     key[numbers.size() - 2] = look.image == k_none ? 0 : look.image + 1.0;
     key[numbers.size() - 1] = 0;
-    key.back() = ior;
+    const Fade fade = fade_of(own);
+    const double inside[] = {ior, fade.distance, fade.power, fade.color.r, fade.color.g, fade.color.b};
+    std::copy(std::begin(inside), std::end(inside), key.end() - std::ssize(inside));
     const bool is_last = last_material_ != k_none && key == last_key_;
     if (is_last && is_last_plain_ && has_nothing_else(texture, own.interior, own.is_merge))
         return last_material_;
@@ -99,9 +118,9 @@ std::uint32_t SceneBuilder::material_of(const Inherited& own, const Token& at) {
     const Color pigment{p[0], p[1], p[2]};
     m.color = pigment;
     m.texture = look.image;
-    m.ambient = times(p, f.ambient);
+    m.ambient = times(p, ambient);
     m.emission = times(p, f.emission);
-    m.diffuse = pigment * f.diffuse;
+    m.diffuse = pigment * diffuse;
     m.specular = {0, 0, 0};
     m.brilliance = std::max(f.brilliance, 0.0);
     m.metallic = std::clamp(f.metallic, 0.0, 1.0);
@@ -128,6 +147,8 @@ std::uint32_t SceneBuilder::material_of(const Inherited& own, const Token& at) {
     m.casts_shadow = !own.is_no_shadow;
     m.refracts = ior != 1;
     if (m.refracts) m.ior = ior;
+    m.fade_distance = fade.distance;
+    if (fade.distance > 0) m.fade_power = fade.power, m.fade_color = fade.color;
     last_material_ = static_cast<std::uint32_t>(scene_.materials.size());
     note(scene_.material_texts, last_material_, stream_.place_of(stream_.call_place(at)));
     scene_.materials.push_back(m);
@@ -141,11 +162,13 @@ void SceneBuilder::report_texture(const Inherited& own, const Token& at) {
     const Finish& f = texture.finish;
     const std::array<double, 5>& p = texture.pigment.color;
     bool is_transparent = true, is_one_finish = true;  // of the layers that are seen
+    const Color all_ambient = texture.below ? light_of_layers(texture).ambient : f.ambient;
     for (const Texture* layer = &texture; layer && is_transparent; layer = layer->below.get()) {
         report(layer->missing);
         if (layer->pigment.missing) report(*layer->pigment.missing);
         report(layer->finish.missing);
-        is_one_finish = is_one_finish && (layer == &texture || looks_the_same_below(layer->finish, f));
+        is_one_finish = is_one_finish && (layer == &texture || looks_the_same_below(layer->finish, f)) &&
+                        is_part(layer->finish.ambient, all_ambient) && layer->finish.diffuse >= 0;
         is_transparent = is_clear(*layer);
     }
     const auto check = [&](bool is_used, std::string_view name, std::string_view meaning) {
@@ -155,14 +178,20 @@ void SceneBuilder::report_texture(const Inherited& own, const Token& at) {
     if (is_transparent && own.interior) report(own.interior->missing);
     check(is_transparent && own.interior && !(own.interior->ior > 0), "ior", "of 0 or less");
     if (is_transparent && own.is_hollow) hollow_at_ = stream_.call_place(at);
+    if (is_transparent && fade_of(own).distance > 0) fades_at_ = stream_.call_place(at);
+    if (is_transparent && own.interior) {
+        const Fade& fade = own.interior->fade;
+        check(fade.distance < 0 || fade.power < 0, "fade_distance, fade_power", "below 0");
+    }
     if (ior_of(own) != 1) refracts_at_ = stream_.call_place(at);
     check(is_transparent && f.interior && f.interior->ior != 1 && own.interior != f.interior.get(), "ior",
           "of a finish beside an interior");
     check(is_transparent && f.has_no_refraction, "refraction", "of 0");
     check(is_transparent && own.is_merge, "merge", "of transparent surfaces");
     check(!is_one_finish, "layered textures",
-          "with several finishes, or with highlights or reflections below the top layer: all have the finish "
-          "of that layer");
+          "that differ in more than how bright ambient and diffuse are, or whose metallic highlights have "
+          "the color "
+          "of the top layer: the rest of the finish is that of this layer");
     check(f.metallic < 0 || f.metallic > 1 || f.reflection_metallic < 0 || f.reflection_metallic > 1,
           "metallic", "beyond 0 and 1");
     check(f.brilliance < 0, "brilliance", "below 0");
@@ -177,7 +206,7 @@ void SceneBuilder::report_texture(const Inherited& own, const Token& at) {
     const double apart = number::abs(a.r - b.r) + number::abs(a.g - b.g) + number::abs(a.b - b.b);
     check(is_mirror && least > 0 && apart > 1e-9, "reflection", "of two colors");
     check(is_mirror && f.reflection_exponent != 1, "reflection_exponent", "");
-    check(is_mirror && is_transparent && f.conserve_energy, "conserve_energy", "");
+    check(is_mirror && (is_transparent || texture.below) && f.conserve_energy, "conserve_energy", "");
 }
 
 }  // namespace glint::povray

@@ -63,7 +63,7 @@ bool ObjectParser::read_modifier(Object& object) {
         }
         case Word::k_interior:
             take();
-            object.interior = read_opaque(Word::k_interior, item);
+            object.interior = make_counted<const Opaque>(read_interior(item, object.interior.get()));
             return true;
         case Word::k_uv_mapping:
             take();

@@ -88,6 +88,7 @@ struct LightSource {
                   ///< position
     Vec3 point_at{0, 0, 1};
     bool is_parallel = false, is_area = false;
+    std::optional<Token> media_attenuation{};  ///< fog takes away of its light
     MissingList missing;
 };
 

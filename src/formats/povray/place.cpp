@@ -100,8 +100,12 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
     if (object.kind != ObjectKind::light) inherit_interior(object, own);
     if (from.in_solid && object.interior && object.interior->ior != 1)
         report({"ior", "of a part of a solid", stream_.call_place(object.at)});
+    if (from.in_solid && object.interior && fade_of(own).distance > 0)
+        report({"fade_distance", "of a part of a solid", stream_.call_place(object.at)});
     if (object.is_inverse && !own.in_solid && ior_of(own) != 1)
         report({"ior", "of an inverted object", stream_.call_place(object.at)});
+    if (object.is_inverse && !own.in_solid && fade_of(own).distance > 0)
+        report({"fade_distance", "of an inverted object", stream_.call_place(object.at)});
     if (leave_out(object)) {
         if (object.kind == ObjectKind::light) place_look(object, own);
         return;
@@ -133,6 +137,7 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
         place_field(object, own);
     } else {
         place_shape(object, own);
+        if (object.is_inverse) note_inside(object, own, first);
     }
     // A mesh of one face is gathered with others.
     if (may_be_unseen && (scene_.shapes.size() > first || object.kind == ObjectKind::mesh))

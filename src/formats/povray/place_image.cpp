@@ -25,6 +25,7 @@ std::uint32_t SceneBuilder::texture_of(const Inherited& own, const Token& at, st
     glint::Texture texture = image;
     texture.over = over;
     const Color& emission = own.texture->finish.emission;
+    set_shares(own.texture->finish, texture);
     if (!(emission == Color{0, 0, 0})) texture.mix = TextureMix::multiply_all;
     if (is_uv && is_pattern) report({"uv_mapping", "of a pattern", stream_.call_place(at)});
     if (is_uv && !is_pattern) {
@@ -56,8 +57,9 @@ std::uint32_t SceneBuilder::texture_of(const Inherited& own, const Token& at, st
 
 // The number of a texture whose colors this number stands for; 0: of one color.
 std::uint32_t SceneBuilder::add_texture(glint::Texture texture, double image_number, const Token& at) {
-    NumberTable<20>::Key key{image_number, static_cast<double>(texture.mapping),
+    NumberTable<22>::Key key{image_number, static_cast<double>(texture.mapping),
                              static_cast<double>(texture.mix), texture.over + 1.0};
+    key[20] = texture.ambient, key[21] = texture.diffuse;
     if (image_number == 0) {
         const TextureColor& c = texture.color_map.front();
         key[4] = c.color.r, key[5] = c.color.g, key[6] = c.color.b, key[7] = c.alpha;

@@ -40,6 +40,7 @@ void SceneBuilder::place_light(const Object& object, const Inherited& own) {
         light.outer_angle =
             std::clamp(number::abs(light.outer_angle), std::max(light.inner_angle, 1e-6), 180.0);
     }
+    if (source.media_attenuation) media_attenuation_ = source.media_attenuation;
     if (source.is_area) {
         if (light.has_position()) {
             const LightKind kind = light.kind;
@@ -51,6 +52,9 @@ void SceneBuilder::place_light(const Object& object, const Inherited& own) {
             }
             // A side with one sample has no length in POV-Ray.
             if (light.samples_u == 1 && light.samples_v == 1) light.kind = kind;
+            if (light.is_area() && light.jitter)
+                report({"jitter", "of an area light: glint has its own, with another grain",
+                        stream_.call_place(object.at)});
         } else {
             report({"area_light", "of a parallel light", stream_.call_place(object.at)});
         }

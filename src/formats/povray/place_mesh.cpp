@@ -2,7 +2,10 @@
 // Meshes to the Scene: each is stored once, in its own coordinates, for all places where it stands.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "formats/povray/add_shape.h"
+#include "formats/povray/outward_faces.h"
 #include "scene/validate_shapes.h"
 
 namespace glint::povray {
@@ -10,12 +13,17 @@ namespace {
 
 constexpr std::uint64_t k_most_uncounted_bytes = 1u << 22;  // of meshes that are not yet in the budget
 
+bool is_clear_somewhere(const ReadMesh& mesh, const Texture& texture) {
+    const auto is_so = [](const auto& part) { return is_clear(*part); };
+    return is_clear(texture) || std::any_of(mesh.textures.begin(), mesh.textures.end(), is_so);
+}
+
 }  // namespace
 
 // The mesh in parts of one look. Null after an error.
 MeshParts* SceneBuilder::parts_of(const Object& object) {
-    const auto known = meshes_.find(object.mesh.get());
-    if (known != meshes_.end()) return &known->second.parts;
+    PlacedMesh& placed = meshes_[object.mesh.get()];
+    if (placed.has_parts) return &placed.parts;
     const std::uint64_t bytes = bytes_of_parts(*object.mesh);
     if (!stream_.has_room(bytes, object.at)) return nullptr;
     stream_.allow_steps(object.mesh->triangles.size());
@@ -23,13 +31,34 @@ MeshParts* SceneBuilder::parts_of(const Object& object) {
         uncounted_bytes_ = 0;
         if (!stream_.is_within_memory(object.at)) return nullptr;
     }
-    PlacedMesh& placed = meshes_[object.mesh.get()];
     placed.mesh = object.mesh;
+    placed.has_parts = true;
     placed.parts = mesh_parts(*object.mesh);
     return &placed.parts;
 }
 
+// Light fades by the side of the faces from which it comes.
 void SceneBuilder::place_mesh(const Object& o, const Inherited& own) {
+    const std::size_t count = o.mesh->triangles.size();
+    if (!(fade_of(own).distance > 0) || !is_clear_somewhere(*o.mesh, *own.texture))
+        return place_faces(o, own);
+    PlacedMesh& known = meshes_[o.mesh.get()];
+    known.mesh = o.mesh;
+    if (!known.turned && !known.is_open && count <= k_max_turned_faces) {
+        if (!stream_.spend(count * count / 16)) return;
+        known.turned = facing_outwards(*o.mesh);
+        known.is_open = !known.turned;
+    }
+    if (!known.turned) {
+        report({"fade_distance", "of a mesh that is open, or has many triangles", stream_.call_place(o.at)});
+        return place_faces(o, own);
+    }
+    Object facing = o;
+    facing.mesh = known.turned;
+    place_faces(facing, own);
+}
+
+void SceneBuilder::place_faces(const Object& o, const Inherited& own) {
     const ReadMesh& mesh = *o.mesh;
     if (mesh.triangles.empty()) return;
     if (mesh.far) {

@@ -4,6 +4,7 @@
 
 #include "formats/povray/reach.h"
 #include "formats/povray/scene_builder.h"
+#include "scene/validate_solid.h"
 
 namespace glint::povray {
 namespace {
@@ -26,10 +27,18 @@ bool SceneBuilder::refracts_light() const {
     return std::any_of(all.begin(), all.end(), refracts) && std::any_of(all.begin(), all.end(), is_passed);
 }
 
+// Whether a texture and those below it let light through somewhere.
+bool SceneBuilder::is_clear_texture(std::uint32_t texture) const {
+    if (texture == k_none) return false;
+    for (; texture != k_none; texture = scene_.textures[texture].over)
+        if (!scene_.textures[texture].has_alpha()) return false;
+    return true;
+}
+
 // A transparent object within one that refracts has an index of refraction, too: 1. (Measured)
 void SceneBuilder::make_all_refract() {
     for (Material& m : scene_.materials) {
-        if (m.refracts || !m.is_transparent()) continue;
+        if (m.refracts || !(m.is_transparent() || is_clear_texture(m.texture))) continue;
         m.refracts = true;
         m.ior = 1;
     }
@@ -82,6 +91,40 @@ void SceneBuilder::check_refraction() {
                     return report({"ior", "of three transparent objects within each other", *refracts_at_});
             }
             around.push_back(all[k]);
+        }
+    }
+}
+
+// In POV-Ray light fades where a ray has entered an object before: not in open shapes, and also where it is
+// inside of a union for the second time. Glint's rule by normals does not know that.
+void SceneBuilder::check_fading() {
+    if (!fades_at_) return;
+    const auto fades = [&](std::uint32_t material) {
+        return material < scene_.materials.size() && scene_.materials[material].fade_distance > 0;
+    };
+    const auto is_faded = [&](const Shape& shape) {
+        if (shape.kind != ShapeKind::solid) return fades(shape.material);
+        const auto& operands = scene_.solids[scene_.get<Solid>()[shape.index].solid].operands;
+        return std::any_of(operands.begin(), operands.end(),
+                           [&](const Shape& operand) { return fades(operand.material); });
+    };
+    for (const Shape& shape : scene_.shapes) {
+        if (shape.kind == ShapeKind::mesh || encloses_space(scene_, shape) || !is_faded(shape)) continue;
+        report({"fade_distance", "of an open shape", *fades_at_});
+        break;
+    }
+    std::uint64_t tests = 0;
+    for (auto a = interiors_.begin(); a != interiors_.end(); ++a) {
+        if (!a->is_union) continue;
+        for (auto b = a; b != interiors_.end() && b->body == a->body; ++b) {
+            for (std::size_t i = a->first; i < a->end; ++i) {
+                if (!is_faded(scene_.shapes[i])) continue;
+                for (std::size_t k = std::max(i + 1, b->first); k < b->end; ++k) {
+                    if (++tests <= k_max_tests && are_apart(scene_, scene_.shapes[i], scene_.shapes[k]))
+                        continue;
+                    return report({"fade_distance", "of a union whose parts overlap", *fades_at_});
+                }
+            }
         }
     }
 }

@@ -65,6 +65,7 @@ class SceneBuilder {
         std::optional<bool> hollow;  // the outermost `hollow`
         bool has_interior = false, is_hollow = false;
         std::int32_t body = 0;  // the number of an interior with several shapes
+        bool is_union = false;  // these are the parts of a union
         bool in_solid = false;  // it is an operand
         std::shared_ptr<const CountedVector<PlacedClip>> clips;
     };
@@ -85,6 +86,7 @@ class SceneBuilder {
 
     // place_mesh.cpp
     void place_mesh(const Object& object, const Inherited& own);
+    void place_faces(const Object& object, const Inherited& own);
     bool place_single_face(const Object& object, const Inherited& own);
     bool gather_face(const Object& object, const Inherited& own, const Texture& texture);
     MeshParts* parts_of(const Object& object);
@@ -109,11 +111,19 @@ class SceneBuilder {
     struct Look {
         std::array<double, 5> color{};
         std::uint32_t image = k_none;
+        const Finish* finish = nullptr;  // of a color without a texture
     };
+    // The finish of a material for all layers: that of the top one, with the largest ambient and diffuse.
+    struct LayerLight {
+        Color ambient{0, 0, 0};
+        double diffuse = 0;
+    };
+    static LayerLight light_of_layers(const Texture& texture);
     Look look_of(const Inherited& own, const Token& at);
     Look over(const Inherited& own, const Look& below, const Token& at);
-    std::uint32_t texture_of_color(const Inherited& own, const std::array<double, 5>& color,
+    std::uint32_t texture_of_color(const Finish& finish, const std::array<double, 5>& color,
                                    std::uint32_t over, const Token& at);
+    void set_shares(const Finish& finish, glint::Texture& texture) const;
 
     // place_lights.cpp
     void place_light(const Object& object, const Inherited& own);
@@ -126,7 +136,7 @@ class SceneBuilder {
     struct ShapeInteriors {
         std::size_t first = 0, end = 0;
         std::int32_t body = 0;
-        bool is_hollow = false;
+        bool is_hollow = false, is_union = false;
     };
     void inherit_interior(const Object& object, Inherited& own);
     void note_interior(std::size_t first, const Inherited& own);
@@ -152,10 +162,13 @@ class SceneBuilder {
         bool has_inside = false;
     };
     static double ior_of(const Inherited& own);
+    static Fade fade_of(const Inherited& own);
     bool refracts_light() const;
     void make_all_refract();
     void forget_refraction();
     void check_refraction();
+    void check_fading();
+    bool is_clear_texture(std::uint32_t texture) const;
     void check_parallel_lights();
     void check_size(const Token& scene_at);
     void check_bailout();
@@ -172,6 +185,8 @@ class SceneBuilder {
     struct PlacedMesh {
         std::weak_ptr<const ReadMesh> mesh;
         MeshParts parts;
+        bool has_parts = false, is_open = false;
+        std::shared_ptr<const ReadMesh> turned;  // facing_outwards()
     };
     CountedHashMap<const ReadMesh*, PlacedMesh> meshes_;
     // Of each height_field that has been placed.
@@ -190,18 +205,21 @@ class SceneBuilder {
     Gathered gathered_;
     std::uint64_t uncounted_bytes_ = 0;
     CountedVector<ParallelLight> parallel_lights_;
-    std::optional<Token> high_bailout_;   // adc_bailout above 1/255
-    std::optional<Token> no_reflection_;  // the first object with it
+    std::optional<Token> high_bailout_;       // adc_bailout above 1/255
+    std::optional<Token> media_attenuation_;  // the last light with it
+    std::optional<Token> no_reflection_;      // the first object with it
     CountedVector<UncutShape> clips_;
     CountedVector<ShapeInteriors> interiors_;  // in the order of the shapes
     CountedVector<ShapesWithInside> with_inside_;
     std::int32_t bodies_ = 0;
-    std::optional<Token> refracts_at_, hollow_at_;  // the last object that refracts, and that is hollow, too
-    NumberTable<35> materials_;
-    NumberTable<20> textures_;
-    NumberTable<35>::Key last_key_{};
+    // The last object that refracts, and that is hollow, too, and the last one that fades light.
+    std::optional<Token> refracts_at_, hollow_at_, fades_at_;
+    NumberTable<40> materials_;
+    NumberTable<22> textures_;
+    NumberTable<40>::Key last_key_{};
     std::uint32_t last_material_ = k_none;
-    bool is_last_plain_ = false;  // its shape had no warnings but those of the material
+    std::optional<LayerLight> layer_light_;  // of a texture with layers, while its material is made
+    bool is_last_plain_ = false;             // its shape had no warnings but those of the material
     Token last_place_token_;
     SourcePlace last_place_;
     std::vector<std::string> warned_;  // what has been refused

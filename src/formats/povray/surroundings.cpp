@@ -65,7 +65,8 @@ void Reader::read_fog(const Token& at) {
             const std::array<double, 5> c = color(true);
             fog.color = {c[0], c[1], c[2]};
             fog.transmit = std::clamp(c[4], 0.0, 1.0);
-            if (c[3] != 0) builder_.report({"filter", "of a fog", at});
+            fog.filter = std::clamp(c[3], 0.0, 1.0);
+            if (fog.filter != c[3]) builder_.report({"filter", "of a fog, beyond 0 and 1", at});
             continue;
         }
         take();
@@ -95,6 +96,7 @@ void Reader::read_fog(const Token& at) {
         fog.height = 0;
     }
     if (!ground || fog.up == Vec3{0, 0, 0}) fog.up = {0, 1, 0};
+    if (fog.filter > 0 && fog.transmit == 1) builder_.report({"filter", "of a fog with a transmit of 1", at});
     if (scene_.fog) builder_.report({"fog", "a second one", at});
     scene_.fog = fog;
     scene_.fog_place = place_of(at);

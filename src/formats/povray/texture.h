@@ -108,11 +108,18 @@ struct SkyItems {
 
 /// A block that has a meaning only where it is used: normal, interior, color_map, sky_sphere, ... Most are
 /// not rendered.
+struct Fade {
+    double distance = 0, power = 0;
+    Color color{0, 0, 0};
+    friend bool operator==(const Fade&, const Fade&) = default;
+};
+
 struct Opaque {
     Word word = Word::k_none;
     Token at;
     double ior = 1;                      ///< of an interior
-    MissingList missing;                 ///< what else of an interior counts
+    Fade fade{};                         ///< of an interior
+    MissingList missing{};               ///< what else of an interior counts
     CountedVector<ColorMapEntry> map{};  ///< of a color_map
     SkyItems sky{};                      ///< of a sky_sphere
 };
@@ -125,6 +132,7 @@ TextureNumbers numbers_of(const Texture& texture);
 inline double opacity_of(const std::array<double, 5>& color) {
     return std::clamp(1 - color[3] - color[4], 0.0, 1.0);
 }
+inline double largest(Color c) { return std::max({c.r, c.g, c.b}); }
 /// Whether light passes the layer, or may.
 inline bool is_clear(const Texture& layer) {
     const Pigment& p = layer.pigment;

@@ -91,6 +91,7 @@ class TextureParser : public ValueParser {
     /// The block of this word that a name stands for; nullptr: none.
     const Opaque* named_block(const Token& name, Word word);
     std::shared_ptr<const Opaque> read_opaque(Word word, const Token& at);
+    Opaque read_interior(const Token& at, const Opaque* before = nullptr);
     void skip_block();
     void skip_rest();
     Missing missing(const Token& at, std::string_view name);
@@ -118,7 +119,6 @@ class TextureParser : public ValueParser {
     std::array<double, 5> color_of(const Pigment& pigment, PatternParts& parts);
     std::array<double, 5> color_of(const Texture& texture, PatternParts& parts);
     bool read_color_map(CountedVector<ColorMapEntry>& map);
-    Opaque read_interior(const Token& at);
     Affine read_matrix();
 
     Texture default_texture_;

@@ -130,7 +130,7 @@ inline void add_misses(const WorldParts& world, const RayBatch& rays, const HitB
             if (!shows_background(world)) opaque = missed && !transparent;
         }
         const Vector3<Doubles> shown = gradient ? gradient_color(*world.gradient, rays, ray) : color;
-        add_seen(rays, ray, opaque, Layer::background, shown * visibility, film);
+        add_seen(rays, ray, opaque, Layer::background, through_fog(world, shown, visibility), film);
         const auto fogged = missed && visibility < Doubles(1);
         if (any(fogged))
             add_seen(rays, ray, fogged, Layer::fog, lanes_of(world.fog->color) * (Doubles(1) - visibility),
@@ -310,7 +310,7 @@ inline void resolve(const TileJob& job, const Film& film, int n) {
 }
 
 /// Fills a tile whose rays all hit nothing. The pixels are the same as those of resolve().
-inline void fill_background(const WorldParts& world, const TileJob& job, int n) {
+GLINT_SMALL void fill_background(const WorldParts& world, const TileJob& job, int n) {
     const int samples = n * n;
     const bool in_fog =
         has_fog_on_background(world) && !is_outside_fog(world, static_cast<double>(world.interiors.camera));

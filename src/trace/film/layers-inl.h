@@ -136,8 +136,8 @@ inline float layer_value(const Film& film, const FirstHits& first_hits, Layer la
 /// Writes the layers of pixels with n x n samples. for_each_pixel calls visit(x, y, p) with the place of each
 /// in the tile and its number in the film.
 template <class ForEachPixel>
-inline void write_layers(const TileJob& job, const Film& film, const FirstHits& first_hits, int n,
-                         const ForEachPixel& for_each_pixel) {
+GLINT_SMALL void write_layers(const TileJob& job, const Film& film, const FirstHits& first_hits, int n,
+                              const ForEachPixel& for_each_pixel) {
     const double samples = static_cast<double>(n) * n;
     for (const LayerInfo& info : layer_infos()) {
         float* const to = job.layers->of(info.layer);
@@ -151,7 +151,7 @@ inline void write_layers(const TileJob& job, const Film& film, const FirstHits& 
     }
 }
 /// The same for all pixels of the tile.
-inline void write_layers(const TileJob& job, const Film& film, const FirstHits& first_hits, int n) {
+GLINT_SMALL void write_layers(const TileJob& job, const Film& film, const FirstHits& first_hits, int n) {
     write_layers(job, film, first_hits, n, [&](const auto& visit) {
         for_each_row(job, [&](int x, int y, int first, int width) {
             for (int p = 0; p < width; ++p) visit(x + p, y, first + p);

@@ -61,6 +61,7 @@ inline bool colors_sky(const WorldParts& world) { return world.colors_shadows() 
 /// Determines which rays are occluded, and with colored shadows the factor of the light of the others.
 inline void find_sky_visibility(const WorldParts& world, ShadowRayBatch& rays, SteppedRays& steps) {
     intersect_shadow(world, rays);
+    rays.from_light = false;
     if (world.colors_shadows()) filter_light(world, rays, steps, nullptr);
 }
 

@@ -191,6 +191,7 @@ inline void trace_sample_rays(const WorldParts& world, const PreparedLight& ligh
     const Vec3 fixed = fixed_sample(world, light.area, sample);
     const bool one_origin = !light.moves_samples() && world.conventions.shadow_stops_at_light;
     shadow_rays.count = 0;
+    shadow_rays.from_light = comes_from_light(light, world.conventions);
     const auto wanted = [&](int i) {
         return static_cast<std::uint32_t>(shadow.wanted[AreaShadowBatch::word_of(sample, i)] >> (i % 64)) &
                first_bits(lane_count<double>());

@@ -242,6 +242,7 @@ inline void sample_light_by(const Rules& rules, const WorldParts& world, const P
         rays += count(at.lit);
     }
     shadow_rays.count = rays;
+    shadow_rays.from_light = comes_from_light(light, world.conventions);
 }
 
 /// sample_light() and add_light() of a world with a fault; compiled separately, in trace/faults.cpp.

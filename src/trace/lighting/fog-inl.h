@@ -85,7 +85,13 @@ struct FoggedBackground {
 };
 inline FoggedBackground fogged_background(const WorldParts& world, Color color, double visibility) {
     if (!(visibility < 1)) return {1, color, {}};
-    return {visibility, color * visibility, world.fog->color * (1 - visibility)};
+    return {visibility, color * visibility * world.fog_tint, world.fog->color * (1 - visibility)};
+}
+
+/// Light that is seen through fog: f of it, and where there is fog, tinted (Fog::filter).
+HWY_INLINE Vector3<Doubles> through_fog(const WorldParts& world, const Vector3<Doubles>& light, Doubles f) {
+    const auto in_fog = f < Doubles(1);
+    return light * f * select_vector3(in_fog, lanes_of(world.fog_tint), lanes_of(Color{1, 1, 1}));
 }
 
 /// Which rays of a vector have no fog, by their RayFields::interiors.
@@ -115,7 +121,7 @@ inline void apply_fog(const WorldParts& world, SurfaceBatch& surfaces) {
         const Vector3<Doubles> weight = load_vector3(surfaces.weight, h);
         store(f, surfaces.visibility.data() + h);
         store_vector3(weight * lanes_of(world.fog->color) * (Doubles(1) - f), surfaces.fog, h);
-        store_vector3(weight * f, surfaces.weight, h);
+        store_vector3(through_fog(world, weight, f), surfaces.weight, h);
     }
 }
 

@@ -7,27 +7,53 @@
 #define GLINT_TRACE_SHADOW_VISIBILITY_INL_H_
 #endif
 
+#include <algorithm>
 #include <bit>
 
 #include "trace/hits/intersect-inl.h"
 #include "trace/record.h"
 #include "world/appearance/appearance.h"
+#include "world/appearance/fade.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
+/// Multiplies the light of a shadow ray by what an object leaves of it where it goes out, towards the light,
+/// through the surface at t. along: the way in the object before that, in units of t.
+GLINT_SMALL void fade_light(const WorldParts& world, ShadowRayBatch& rays, int ray, SurfaceId id, double t,
+                            double along, TileRecord* record) {
+    if (!(world.extended_row(material_row(world, id))[k_extended_value<&Material::fade_power>] > 0)) return;
+    const Vec3 direction = vec3_at(rays.direction, ray), point = vec3_at(rays.origin, ray) + direction * t;
+    const Color fade =
+        fade_at(world, id, point, rays.from_light ? -direction : direction, along * glint::length(direction));
+    const double factors[] = {fade.r, fade.g, fade.b};
+    for (std::size_t c = 0; c < 3; ++c) rays.filter[c][ray] *= factors[c];
+    if (record == nullptr) return;
+    const auto is_of_ray = [&](const TileRecord::ShadowStep& step) { return step.ray == ray; };
+    std::find_if(record->shadow_steps.rbegin(), record->shadow_steps.rend(), is_of_ray)->fade = fade;
+}
+
 /// Computes the factors of the light of shadow rays that are not occluded: the product over the transparent
 /// surfaces on the way, in the order of t. Surfaces at equal t count once, the first in the scene; those
-/// within Conventions::transparent_shadow_epsilon behind it do not count.
-inline void filter_light(const WorldParts& world, ShadowRayBatch& rays, SteppedRays& steps,
-                         TileRecord* record) {
+/// within Conventions::transparent_shadow_epsilon behind it do not count. Where materials fade, each factor
+/// is followed by what the object leaves.
+GLINT_SMALL void filter_light(const WorldParts& world, ShadowRayBatch& rays, SteppedRays& steps,
+                              TileRecord* record) {
     for (auto& column : rays.filter) std::fill_n(column.begin(), rays.count, 1.0);
     steps.count = 0;
     const RaySpan span = rays.span();
+    const bool fades = world.uses<&Material::fade_distance>();
     for (int i = 0; i < rays.count; ++i) {
         if (rays.occluded[static_cast<std::size_t>(i)] == 0) steps.add(span, i, span.t_min[i]);
+        if (fades)
+            steps.passed[static_cast<std::size_t>(i)] = {}, steps.t_passed[static_cast<std::size_t>(i)] = 0;
     }
+    const auto fade_last = [&](std::size_t i, double t) {
+        if (rays.from_light && steps.passed[i].exists())
+            fade_light(world, rays, static_cast<int>(i), steps.passed[i], steps.t_passed[i],
+                       t - steps.t_passed[i], record);
+    };
     for (int step = 0; steps.count > 0 && step < k_max_steps; ++step) {
         intersect_steps(world, steps);
         int left = 0;
@@ -37,6 +63,7 @@ inline void filter_light(const WorldParts& world, ShadowRayBatch& rays, SteppedR
             if (!id.exists()) continue;
             const auto i = static_cast<std::size_t>(steps.number[at]);
             if (colors_light(world, id)) {
+                if (fades) fade_last(i, steps.t[at]);
                 const Color factor = shadow_factor(world, id, steps.point_of(k));
                 const double factors[] = {factor.r, factor.g, factor.b};
                 double most = 0;
@@ -44,7 +71,15 @@ inline void filter_light(const WorldParts& world, ShadowRayBatch& rays, SteppedR
                     rays.filter[c][i] *= factors[c];
                     most = number::max(most, rays.filter[c][i]);
                 }
-                if (record != nullptr) record->shadow_steps.push_back({steps.number[at], id, steps.t[at]});
+                if (record != nullptr)
+                    record->shadow_steps.push_back({steps.number[at], id, steps.t[at], factor, {1, 1, 1}});
+                if (fades) {
+                    if (!rays.from_light)
+                        fade_light(world, rays, steps.number[at], id, steps.t[at],
+                                   steps.t[at] - steps.t_passed[i], record);
+                    steps.passed[i] = id;
+                    steps.t_passed[i] = steps.t[at];
+                }
                 if (most < k_min_filter) {
                     rays.occluded[i] = 1;
                     continue;
@@ -54,6 +89,12 @@ inline void filter_light(const WorldParts& world, ShadowRayBatch& rays, SteppedR
             steps.go_on(k, left++, gap > 0 ? gap / glint::length(steps.direction_of(k)) : 0);
         }
         steps.count = left;
+    }
+    if (!fades) return;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(rays.count); ++i) {
+        fade_last(i, 1);
+        const double most = number::max(number::max(rays.filter[0][i], rays.filter[1][i]), rays.filter[2][i]);
+        if (most < k_min_filter) rays.occluded[i] = 1;
     }
 }
 

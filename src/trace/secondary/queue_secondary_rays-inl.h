@@ -70,8 +70,8 @@ HWY_INLINE bool is_limited(const WorldParts& world) {
 }
 
 /// Returns the rays of the set that do not exceed the limit of their pixel's sample. Counts both kinds.
-inline LaneMask<double> limit_rays(const double* targets, LaneMask<double> set, SecondaryRayBatch& secondary,
-                                   RayCounts& counts) {
+GLINT_SMALL LaneMask<double> limit_rays(const double* targets, LaneMask<double> set,
+                                        SecondaryRayBatch& secondary, RayCounts& counts) noexcept {
     std::uint32_t kept = 0;
     for (std::uint32_t bits = to_bits(set); bits != 0; bits &= bits - 1) {
         const int target = static_cast<int>(targets[__builtin_ctz(bits)]);
@@ -127,9 +127,9 @@ HWY_INLINE void go_back(const SurfaceBatch& surfaces, int h, LaneMask<double> at
     rays.start = select(at_limit, Doubles(0), rays.start);
 }
 
-/// Queues the mirror and glass rays of the vector of surfaces at index h. plain: are_plain(). faulty:
-/// mirror rays have the world's fault.
-template <bool plain, bool faulty = false>
+/// Queues the mirror and glass rays of the vector of surfaces at index h. plain: are_plain(), without a
+/// fault.
+template <bool plain>
 HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfaces, int h,
                              LaneMask<double> hit, bool limited, SecondaryRayBatch& secondary,
                              RayCounts& counts, TileRecord* record) {
@@ -153,8 +153,13 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
     auto straight = through, bent = first_lanes<double>(0);
     if (transparent && any(through)) {
         weight_straight_rays(world, transparency_of(world, material, surfaces, h), through, weight, b);
+        Vector3<Doubles> fade = lanes_of(Vec3{1, 1, 1});
+        if (world.uses<&Material::fade_distance>()) {
+            fade = fades_at(world, surfaces, h, to_bits(through));
+            b.transmitted = select_vector3(through, b.transmitted * fade, b.transmitted);
+        }
         if (world.uses<&Material::refracts>()) {
-            bent = refract_straight_rays(world, surfaces, h, surface, through, b);
+            bent = refract_straight_rays(world, surfaces, h, surface, through, fade, b);
             straight = and_not(through, bent);
         }
     }
@@ -193,7 +198,7 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
     const auto reflected = kept(b.reflected, may_start);
     if (any(reflected)) {
         SpawnedRay<Doubles> ray = mirrored_ray(surface, glass, rules);
-        if constexpr (faulty)
+        if (!plain && world.fault != TracerFault::none)
             ray = faulty_mirror_ray(surface, ray, normal_lengths(world, surfaces, h), world.fault, rules);
         start(ray);
         if (back) go_back(surfaces, h, at_limit, rays);
@@ -237,7 +242,8 @@ inline void queue_secondary_rays(const WorldParts& world, const SurfaceBatch& su
         if (record != nullptr) record_limit(world, surfaces, *record);
         return;
     }
-    const bool limited = is_limited(world), plain = are_plain(world, surfaces);
+    const bool limited = is_limited(world),
+               plain = are_plain(world, surfaces) && world.fault == TracerFault::none;
     int h = 0;
     for (int group = 0; group < surfaces.groups; ++group) {
         const int end = surfaces.group_end[static_cast<std::size_t>(group)].hits;
@@ -245,9 +251,7 @@ inline void queue_secondary_rays(const WorldParts& world, const SurfaceBatch& su
         secondary.transmitted.reserve(end - h);
         for (; h < end; h += lane_count<double>()) {
             const auto hit = first_lanes<double>(end - h);
-            if (world.fault != TracerFault::none) {
-                queue_vector<false, true>(world, surfaces, h, hit, limited, secondary, counts, record);
-            } else if (plain) {
+            if (plain) {
                 queue_vector<true>(world, surfaces, h, hit, limited, secondary, counts, record);
             } else {
                 queue_vector<false>(world, surfaces, h, hit, limited, secondary, counts, record);

@@ -26,7 +26,7 @@ struct Passage {
 /// inside: RayFields::interiors, the word of the set and, times 2^32, 20 bits of the word of the object that
 /// was entered last. A ray travels in that object (POV-Ray, measured). Of more than two objects, the order is
 /// not known; ratio is 1 then.
-inline Passage pass_surface(const WorldParts& world, SurfaceId id, double inside) {
+GLINT_SMALL Passage pass_surface(const WorldParts& world, SurfaceId id, double inside) {
     const auto both = static_cast<std::uint64_t>(inside);
     const std::uint32_t unbent = world.interiors.unbent;
     const std::uint32_t set = static_cast<std::uint32_t>(both) ^ unbent,
@@ -47,12 +47,29 @@ inline Passage pass_surface(const WorldParts& world, SurfaceId id, double inside
     return {ior / around->ior, inside_of(mark(rest))};
 }
 
+/// The factors of the light that leaves objects through the surfaces whose bits are set
+/// (Material::fade_distance).
+GLINT_SMALL Vector3<Doubles> fades_at(const WorldParts& world, const SurfaceBatch& surfaces, int h,
+                                      std::uint32_t through) noexcept {
+    alignas(k_ray_alignment) double factors[3][lane_count<double>()];
+    for (auto& channel : factors) std::fill_n(channel, lane_count<double>(), 1.0);
+    for (std::uint32_t bits = through; bits != 0; bits &= bits - 1) {
+        const int k = __builtin_ctz(bits);
+        const Color fade = surface_fade(world, surfaces, h + k);
+        factors[0][k] = fade.r;
+        factors[1][k] = fade.g;
+        factors[2][k] = fade.b;
+    }
+    return load_vector3(factors, 0);
+}
+
 /// Refracts the rays of those transparent surfaces (`through`) that refract: sets b.refracted_direction, and
-/// gives all light to the mirror ray where there is total reflection (POV-Ray, measured). Returns the
-/// surfaces whose rays have another direction.
-inline LaneMask<double> refract_straight_rays(const WorldParts& world, const SurfaceBatch& surfaces, int h,
-                                              const SurfacePoint<Doubles>& surface, LaneMask<double> through,
-                                              SecondaryWeights& b) {
+/// gives all light, times `fade`, to the mirror ray where there is total reflection (POV-Ray, measured).
+/// Returns the surfaces whose rays have another direction.
+GLINT_SMALL LaneMask<double> refract_straight_rays(const WorldParts& world, const SurfaceBatch& surfaces,
+                                                   int h, const SurfacePoint<Doubles>& surface,
+                                                   LaneMask<double> through, const Vector3<Doubles>& fade,
+                                                   SecondaryWeights& b) noexcept {
     alignas(k_ray_alignment) double ratios[lane_count<double>()];
     std::fill_n(ratios, lane_count<double>(), 1.0);
     for (std::uint32_t bits = to_bits(through); bits != 0; bits &= bits - 1) {
@@ -68,15 +85,15 @@ inline LaneMask<double> refract_straight_rays(const WorldParts& world, const Sur
     const auto refraction = refracted(surface.incoming, facing, ratio);
     const auto total = bent && refraction.total;
     b.refracted_direction = select_vector3(bent, refraction.direction, b.refracted_direction);
-    b.reflected = select_vector3(total, load_vector3(surfaces.weight, h), b.reflected);
+    b.reflected = select_vector3(total, load_vector3(surfaces.weight, h) * fade, b.reflected);
     b.transmitted = select_vector3(total, b.transmitted * zero, b.transmitted);
     b.fresnel = select(total, one, b.fresnel);
     return bent;
 }
 
 /// RayFields::interiors of the rays `of` through a vector of surfaces.
-inline Doubles passed_interiors(const WorldParts& world, const SurfaceBatch& surfaces, int h,
-                                LaneMask<double> of) {
+GLINT_SMALL Doubles passed_interiors(const WorldParts& world, const SurfaceBatch& surfaces, int h,
+                                     LaneMask<double> of) noexcept {
     alignas(k_ray_alignment) double inside[lane_count<double>()] = {};
     for (std::uint32_t bits = to_bits(of); bits != 0; bits &= bits - 1) {
         const int k = __builtin_ctz(bits);

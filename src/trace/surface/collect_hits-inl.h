@@ -68,7 +68,8 @@ HWY_INLINE void append_hits(const WorldParts& world, const RayBatch& rays, const
     if (!plain && rays.tracked)
         compress_store(load(rays.interiors.data() + ray), hit, surfaces.interiors.data() + h);
     if (transparent) append_transparent_hits(rays, ray, t, hit, origin, surfaces);
-    if (beer || (!plain && (world.fog || sees_back(world)))) {
+    const bool fades = transparent && world.uses<&Material::fade_distance>();
+    if (beer || fades || (!plain && (world.fog || sees_back(world)))) {
         const Doubles start = transparent && !camera ? load(rays.start.data() + ray) : Doubles(0);
         compress_store(t - start, hit, surfaces.hit_t.data() + h);
     }

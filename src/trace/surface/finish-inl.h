@@ -10,6 +10,7 @@
 
 #include "lighting/finish-inl.h"
 #include "trace/surface/material-inl.h"
+#include "world/appearance/fade.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
@@ -140,6 +141,14 @@ HWY_INLINE TransparencyLanes transparency_of(const WorldParts& world, const Mate
     transparency.transmit =
         select(angled > Doubles(0), angled_transmit(transparency.transmit, cosine), transparency.transmit);
     return transparency;
+}
+
+/// The factor of the light that leaves an object through surface h (Material::fade_distance).
+inline Color surface_fade(const WorldParts& world, const SurfaceBatch& surfaces, int h) {
+    if (!world.uses<&Material::fade_distance>()) return {1, 1, 1};
+    const Vec3 incoming = vec3_at(surfaces.incoming, h);
+    const double distance = surfaces.hit_t[static_cast<std::size_t>(h)] * glint::length(incoming);
+    return fade_at(world, surfaces.surface(h), vec3_at(surfaces.point, h), incoming, distance);
 }
 
 /// The color of what the mirror shows.

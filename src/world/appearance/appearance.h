@@ -38,14 +38,22 @@ inline ShapeColor own_color(const WorldParts& world, SurfaceId id, const Vec3* p
     return {c[0], c[1], c[2]};
 }
 
+/// The colors of a surface that are multiples of one color.
+struct SurfaceColors {
+    Color color, ambient, diffuse;
+};
+
 /// Replaces the color of a material's values, as with_color() does.
-inline void replace_color(const WorldParts& world, std::uint32_t row, Color color, double* values) {
-    const double channels[3] = {color.r, color.g, color.b};
+inline void replace_color(const WorldParts& world, std::uint32_t row, const SurfaceColors& colors,
+                          double* values) {
     const double* factors = world.color_factors->data() + std::size_t{row} * k_color_factors;
-    for (int c = 0; c < 3; ++c) {
-        values[k_color + c] = channels[c];
-        for (int i = 0; i < k_color_factors; ++i) {  // of k_ambient, k_diffuse and k_specular
-            if (factors[i] == factors[i]) values[3 * i + c] = factors[i] * channels[c];
+    const auto channels = [](Color c) { return std::array<double, 3>{c.r, c.g, c.b}; };
+    const std::array<double, 3> of[k_color_factors] = {channels(colors.ambient), channels(colors.diffuse),
+                                                       channels(colors.color)};
+    for (std::size_t c = 0; c < 3; ++c) {
+        values[k_color + c] = of[2][c];
+        for (std::size_t i = 0; i < k_color_factors; ++i) {  // of k_ambient, k_diffuse and k_specular
+            if (factors[i] == factors[i]) values[3 * i + c] = factors[i] * of[i][c];
         }
     }
 }
@@ -57,14 +65,18 @@ inline void write_surface_values(const WorldParts& world, SurfaceId id, const Ve
     const std::uint32_t row = material_row(world, id);
     std::copy_n(world.material(row), k_material_values, to);
     const ShapeColor color = own_color(world, id, point);
-    if (color.is_set()) replace_color(world, row, color.color(), to);
+    if (color.is_set()) replace_color(world, row, {color.color(), color.color(), color.color()}, to);
     if (!texture) return;
     if (world.texture_of(row)->mix == TextureMix::replace)
-        return replace_color(world, row, texture->color, to);
-    const double channels[3] = {texture->color.r, texture->color.g, texture->color.b};
-    for (int c = 0; c < 3; ++c) {
-        for (const int k : {k_color, k_ambient, k_diffuse}) to[k + c] *= channels[c];
-    }
+        return replace_color(world, row, {texture->color, texture->ambient, texture->diffuse}, to);
+    const auto multiply = [to](int k, Color by) {
+        to[k] *= by.r;
+        to[k + 1] *= by.g;
+        to[k + 2] *= by.b;
+    };
+    multiply(k_color, texture->color);
+    multiply(k_ambient, texture->ambient);
+    multiply(k_diffuse, texture->diffuse);
 }
 /// With the largest color of a mesh's triangle, and a white texture.
 inline std::array<double, k_material_values> surface_values(const WorldParts& world, SurfaceId id) {

@@ -51,6 +51,12 @@ std::vector<Vec3> fixed_directions(std::size_t count) {
     return directions;
 }
 
+void set_fog(WorldParts& parts, const std::optional<Fog>& fog) {
+    parts.fog = fog;
+    parts.fog_tint = {1, 1, 1};
+    if (fog) parts.fog_tint = parts.fog_tint * (1 - fog->filter) + fog->color * fog->filter;
+}
+
 void set_gradient(const std::optional<BackgroundGradient>& gradient, WorldParts& parts) {
     parts.gradient = gradient;
     if (gradient) parts.gradient->up = normalize(gradient->up);

@@ -7,6 +7,7 @@ namespace glint {
 /// The fixed sequence of directions has this number of blocks, each with one direction for each sample.
 inline constexpr int k_occlusion_blocks = 16;
 
+void set_fog(WorldParts& parts, const std::optional<Fog>& fog);
 void set_gradient(const std::optional<BackgroundGradient>& gradient, WorldParts& parts);
 void set_occlusion(const std::optional<Occlusion>& occlusion, WorldParts& parts);
 

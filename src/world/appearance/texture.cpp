@@ -263,7 +263,9 @@ std::optional<TexturePlace> texture_place(const PackedGeometry& geometry, const 
                         m[1][0] * at->u + m[1][1] * at->v + m[1][2]};
 }
 
-std::optional<TextureSample> sample_texture(const PreparedTexture& texture, TexturePlace place) {
+namespace {
+
+std::optional<TextureSample> sample_color(const PreparedTexture& texture, TexturePlace place) {
     const auto u = wrapped(place.u, texture.wrap_u), v = wrapped(place.v, texture.wrap_v);
     if ((!u && texture.wrap_u == TextureWrap::once) || (!v && texture.wrap_v == TextureWrap::once))
         return std::nullopt;
@@ -285,11 +287,21 @@ std::optional<TextureSample> sample_texture(const PreparedTexture& texture, Text
     return sample;
 }
 
+}  // namespace
+
+std::optional<TextureSample> sample_texture(const PreparedTexture& texture, TexturePlace place) {
+    std::optional<TextureSample> sample = sample_color(texture, place);
+    if (!sample) return sample;
+    sample->ambient = sample->color * texture.ambient;
+    sample->diffuse = sample->color * texture.diffuse;
+    return sample;
+}
+
 std::optional<TextureSample> sample_layers(const PackedGeometry& geometry,
                                            std::span<const PreparedTexture> textures, std::uint32_t front,
                                            SurfaceId id, Vec3 point, std::vector<TextureLayer>* layers) {
     std::optional<TextureSample> sum;
-    Color color;
+    Color color, ambient, diffuse;
     double left = 1;
     for (std::uint32_t i = front; i != k_none && left > 0; i = textures[i].over) {
         const PreparedTexture& texture = textures[i];
@@ -300,12 +312,17 @@ std::optional<TextureSample> sample_layers(const PackedGeometry& geometry,
         if (!sum) sum = i == front ? *sample : TextureSample{{}, {-1, -1}, {-1, -1}, 0, 0, {}, 0};
         const double weight = left * texture.own_opacity(sample->alpha);
         color = color + sample->color * weight;
+        ambient = ambient + sample->ambient * weight;
+        diffuse = diffuse + sample->diffuse * weight;
         left -= weight;
         if (layers) layers->push_back({i, *sample, weight});
     }
     if (!sum) return sum;
     sum->alpha = 1 - left;
-    sum->color = sum->alpha > 0 ? color * (1 / sum->alpha) : Color{};
+    const double whole = sum->alpha > 0 ? 1 / sum->alpha : 0;
+    sum->color = color * whole;
+    sum->ambient = ambient * whole;
+    sum->diffuse = diffuse * whole;
     return sum;
 }
 

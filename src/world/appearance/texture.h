@@ -43,6 +43,7 @@ struct TextureSample {
     double right = 0, lower = 0;  // weights of the second column and of the second row
     Color color;
     double alpha = 1;
+    Color ambient{}, diffuse{};  // color times Texture::ambient and diffuse; of layers, the sums of these
 };
 
 /// The place that a mapping other than `uv` gives a point in the texture's coordinates, before
