@@ -18,7 +18,7 @@
 #else
 #define GLINT_INLINE_IF_FAST GLINT_INLINE
 #endif
-/// Of functions in the kernels that run once for a picture, or for explain() only: small in the page's files.
+/// Of functions in the kernels that only few scenes or explain() need: small in the page's files.
 #ifdef __wasm__
 #define GLINT_SMALL __attribute__((noinline, minsize)) inline
 #else

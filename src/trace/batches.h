@@ -176,8 +176,8 @@ struct SurfaceBatch {
     const std::uint32_t* extended_row = nullptr;
     std::vector<double> faded_rows;
     BatchColumn<double> behind;  // 1: the ray hit the back of the shape; else 0
-    BatchColumn<double>
-        hit_t;  // for Beer's law, fog, fading, sees_back(): t of the hit, from RayFields::start on
+    // For Beer's law, fog, fading and sees_back(): t of the hit, from RayFields::start on.
+    BatchColumn<double> hit_t;
     BatchColumn<double> fog[3], visibility;  // the fog's weighted light, and f; if the scene has fog
     BatchColumn<double> straight;            // the ray's, if alpha is wanted
     // If the scene has transparent surfaces: the ray's origin, its t here, and RayFields.
