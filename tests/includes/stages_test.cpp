@@ -58,7 +58,7 @@ Stages listed_stages(const std::string& document) {
 
 // The functions of a file that have batches as arguments.
 void find_stages(const std::string& file, const std::string& text, Stages& stages) {
-    static const std::regex signature(R"(\n(?:inline )?void (\w+)\(([^)]*)\) \{)");
+    static const std::regex signature(R"(\n(?:inline |GLINT_SMALL )?void (\w+)\(([^)]*)\) \{)");
     for (std::sregex_iterator i(text.begin(), text.end(), signature), end; i != end; ++i) {
         const std::string arguments = (*i)[2];
         const std::string all = std::string(k_batch) + "&", constant = "const " + all;
