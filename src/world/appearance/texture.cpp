@@ -10,6 +10,7 @@
 #include "math/transform.h"
 #include "world/appearance/color_map.h"
 #include "world/appearance/noise.h"
+#include "world/appearance/patterns.h"
 #include "world/geometry/mesh_surface.h"
 
 namespace glint {
@@ -118,48 +119,6 @@ double around(Vec3 p) { return 0.5 + atan2(p.x, p.z) / k_two_pi; }
 double up(Vec3 p) {
     const double beside = number::sqrt(p.x * p.x + p.z * p.z);
     return 0.5 + atan2(p.y, beside) * 2 / k_two_pi;
-}
-
-// 0 and 0.5 in turn.
-double checker(Vec3 p) {
-    const double cell = std::floor(p.x + k_checker_margin) + std::floor(p.y + k_checker_margin) +
-                        std::floor(p.z + k_checker_margin);
-    return (cell - 2 * std::floor(cell / 2)) / 2;
-}
-
-double leopard(Vec3 p) {
-    const double mean = (sin(p.x) + sin(p.y) + sin(p.z)) / 3;
-    return mean * mean;
-}
-
-// 0 in the mortar, else 0.5.
-double bricks(Vec3 p, Vec3 mortar) {
-    const auto is_mortar = [](double at, double part) {
-        at += k_checker_margin;
-        return at - std::floor(at) >= 1 - part;
-    };
-    const double layer = std::floor(p.y + k_checker_margin);
-    const bool is_odd = layer - 2 * std::floor(layer / 2) > 0;
-    const bool is_in_mortar = is_mortar(p.y, mortar.y) || is_mortar(p.x + (is_odd ? 0.5 : 0), mortar.x) ||
-                              is_mortar(p.z + (is_odd ? 0 : 0.5), mortar.z);
-    return is_in_mortar ? 0 : 0.5;
-}
-
-// The hexagons around the points (1.5 i, sqrt(3) (j + i / 2)) of x and z: (j + 2 i modulo 3) / 4 in the
-// nearest one, which is in one of the two columns beside x.
-double hexagons(Vec3 p) {
-    constexpr double k_height = 0x1.bb67ae8584caap+0;  // sqrt(3)
-    double best = 0, number = 0;
-    const double column = std::floor(p.x / 1.5);
-    for (int k = 0; k < 2; ++k) {
-        const double i = column + k, row = std::floor(p.z / k_height - i / 2 + 0.5);
-        const double x = p.x - 1.5 * i, z = p.z - k_height * (row + i / 2);
-        const double distance = x * x + z * z;
-        if (k > 0 && distance >= best) continue;
-        best = distance;
-        number = row + 2 * i;
-    }
-    return (number - 3 * std::floor(number / 3)) / 4;
 }
 
 // The color map at u from 0 to 1.
