@@ -67,6 +67,10 @@ enum class TextureAlpha : std::uint8_t { blend, mask, ignore };
 /// noise: u is 0.5 + half of gradient noise (Perlin, 2002), from 0 to below 1. granite: u is the sum of
 /// |noise(4 k p)| / k for k = 1, 2, 4 ... 32, below 1. wrinkles: half the sum of u of noise at k p, over k,
 /// for k = 1, 2 ... 512.
+///
+/// spiral: u is the distance from the y axis plus p.y, and v is u of cylindrical, so that UvMap makes arms: u
+/// + n v has n of them. mandelbrot: u = n / Texture::iterations, where n is how many of the numbers z of the
+/// sequence z^2 + p, from z = p on, are within 2 of 0 before the first that is not (p.x + i p.y; all: u = 1).
 enum class TextureMapping : std::uint8_t {
     uv,
     planar,
@@ -82,7 +86,9 @@ enum class TextureMapping : std::uint8_t {
     hexagons,
     noise,
     granite,
-    wrinkles
+    wrinkles,
+    spiral,
+    mandelbrot
 };
 
 inline constexpr double k_checker_margin = 1e-10;
@@ -129,6 +135,8 @@ struct Texture {
     Vec3 turbulence;
     double octaves = 6;                 ///< 0 to 10
     double gain = 0.5, lacunarity = 2;  ///< 0 to 1; > 0
+    /// mandelbrot: the greatest number of steps, 1 to 1e6; its fraction does not count.
+    double iterations = 100;
     /// u and v in the picture from those of the surface: (a u + b v + c, d u + e v + f).
     UvMap uv_map{};
     Affine world_from_texture{};  ///< for mappings other than uv; invertible

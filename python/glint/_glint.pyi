@@ -180,6 +180,7 @@ class Texture:
         octaves: float = ...,
         gain: float = ...,
         lacunarity: float = ...,
+        iterations: float = ...,
         uv_map: Any = ...,
         over: Optional[Texture] = ...,
         ambient: float = ...,
@@ -203,6 +204,7 @@ class Texture:
     octaves: float
     gain: float
     lacunarity: float
+    iterations: float
     uv_map: _UvMapField
     over: Optional[Texture]
     ambient: float

@@ -17,7 +17,7 @@ FovAxis = Literal["x", "y"]
 OcclusionMethod = Literal["hashed", "fixed"]
 GradientKind = Literal["sphere", "plane"]
 TextureMapping = Literal[
-    "uv", "planar", "spherical", "cylindrical", "checker", "onion", "rings", "boxes", "slabs", "leopard", "bricks", "hexagons", "noise", "granite", "wrinkles"
+    "uv", "planar", "spherical", "cylindrical", "checker", "onion", "rings", "boxes", "slabs", "leopard", "bricks", "hexagons", "noise", "granite", "wrinkles", "spiral", "mandelbrot"
 ]  # fmt: skip
 TextureWrap = Literal["repeat", "mirror", "clamp", "once", "clip"]
 TextureFilter = Literal["nearest", "bilinear"]

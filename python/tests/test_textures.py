@@ -228,7 +228,7 @@ def test_refuses_values():
     texture = glint.Texture(TEXELS)
     for name, value, message in (
         ("wrap_u", "tile", "wrap_u: expected one of repeat, mirror, clamp, once, clip, found 'tile'"),
-        ("mapping", 1, "mapping: expected one of uv, planar, spherical, cylindrical, checker, onion, rings, boxes, slabs, leopard, bricks, hexagons, noise, granite, wrinkles, found 1"),
+        ("mapping", 1, "mapping: expected one of uv, planar, spherical, cylindrical, checker, onion, rings, boxes, slabs, leopard, bricks, hexagons, noise, granite, wrinkles, spiral, mandelbrot, found 1"),
         ("alpha_cutoff", 2, "alpha_cutoff: expected a number from 0 to 1, found 2"),
         ("uv_map", (1, 2), "uv_map: expected two rows of three numbers"),
         ("uv_map", ((1, 0, np.nan), (0, 1, 0)), "uv_map: expected a number from -1e12 to 1e12, found nan"),

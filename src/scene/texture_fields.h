@@ -12,9 +12,10 @@ inline constexpr std::string_view k_mix_words[] = {"multiply", "replace", "multi
 inline constexpr std::string_view k_encoding_words[] = {"linear", "srgb"};
 inline constexpr std::string_view k_alpha_words[] = {"blend", "mask", "ignore"};
 inline constexpr std::string_view k_mapping_words[] = {
-    "uv",    "planar",  "spherical", "cylindrical", "checker", "onion",   "rings",   "boxes",
-    "slabs", "leopard", "bricks",    "hexagons",    "noise",   "granite", "wrinkles"};
+    "uv",      "planar", "spherical", "cylindrical", "checker", "onion",    "rings",  "boxes",     "slabs",
+    "leopard", "bricks", "hexagons",  "noise",       "granite", "wrinkles", "spiral", "mandelbrot"};
 inline constexpr Range k_octaves{0, 10, false, false, "a number from 0 to 10"};
+inline constexpr Range k_iterations{1, 1e6, false, false, "a number from 1 to 1e6"};
 
 template <> struct FieldMembers<Texture> {
     template <class Choice> using Chosen = FieldMember<Texture, Choice, ChoiceType>;
@@ -54,6 +55,8 @@ inline constexpr ItemField<Texture> k_texture_fields[] = {
      "of turbulence: the strength of each size in that of the size before"},
     {"lacunarity", "lacunarity", "lacunarity", number_field(&Texture::lacunarity, k_length),
      "of turbulence: how many times finer each size is than the size before"},
+    {"iterations", "iterations", "iterations", number_field(&Texture::iterations, k_iterations),
+     "of mandelbrot: the greatest number of steps"},
     {"uv_map", "uv_map", "map of u and v", uv_map_field(&Texture::uv_map),
      "two rows of three numbers: a u + b v + c and d u + e v + f are used instead of u and v"},
     {"over", "over", "over", texture_field(&Texture::over),

@@ -54,6 +54,31 @@ TEST(PovrayPatterns, BricksAndHexagonsHaveSizesAndColors) {
               (std::vector<TextureColor>{{0, {1, 0, 0}}, {0.25, {0.5, 0.5, 0.5}}, {0.5, {0, 0, 1}}}));
 }
 
+TEST(PovrayPatterns, SpiralsHaveArms) {
+    const auto map = [](std::string_view arms, std::string_view after = {}) {
+        const Texture t = pattern_texture("spiral1 " + mapped(arms, after));
+        EXPECT_EQ(t.mapping, TextureMapping::spiral);
+        return std::tuple(t.uv_map.m[0][0], t.uv_map.m[0][1], t.uv_map.m[0][2], t.wrap_u);
+    };
+    EXPECT_EQ(map("3"), std::tuple(2, 6, 3, TextureWrap::mirror));
+    EXPECT_EQ(map("-2.9", "ramp_wave"), std::tuple(1, -2, -1, TextureWrap::repeat)) << "whole arms";
+    EXPECT_EQ(map("1", "ramp_wave frequency 4 phase 0.5"), std::tuple(4, 4, 2.5, TextureWrap::repeat));
+}
+
+TEST(PovrayPatterns, MandelbrotsSetIsClamped) {
+    const Texture t =
+        pattern_texture("mandel 20.5 color_map { [0 rgb x] [0.5 rgb y] [0.7 rgb y] [1 rgb z] }");
+    EXPECT_EQ(t.mapping, TextureMapping::mandelbrot);
+    EXPECT_EQ(t.iterations, 20);
+    EXPECT_EQ(t.wrap_u, TextureWrap::clamp);
+    const std::vector<TextureColor>& colors = t.color_map;
+    EXPECT_EQ(colors[0].at, 0);
+    EXPECT_GT(colors[1].at, 0.5) << "0.5 has the color before";
+    EXPECT_LT(colors[2].at, 0.7) << "a float, so 0.7 is behind it";
+    EXPECT_EQ(colors[3].at, 1);
+    EXPECT_EQ(pattern_texture("mandel 5 " + mapped("triangle_wave")).uv_map.m[0][0], 2);
+}
+
 TEST(PovrayPatterns, MapsAreUsedFrom0To1) {
     const auto map_of = [](const std::string& entries) {
         return pattern_texture("onion color_map { " + entries + " }").color_map;
@@ -132,6 +157,8 @@ TEST(PovrayPatterns, WhatIsNotDrawnIsSaid) {
          {mapped("crackle"), mapped("onion", "warp { turbulence 0.3 }"), mapped("onion", "frequency 1.5"),
           mapped("spherical", "frequency 2"), mapped("gradient x", "sine_wave"), std::string("onion"),
           std::string("onion color_map { [0.5 rgb 1] [0.2 rgb 0] }"), std::string("brick brick_size 0"),
+          mapped("mandel 0"), mapped("mandel 2e6"), mapped("mandel 9 exponent 3"),
+          mapped("mandel 9", "phase 0.5"), mapped("spiral1 2", "frequency 1.5"), mapped("spiral2 2"),
           std::string("tiles"), std::string("checker pigment { onion } pigment { rgb 1 }"),
           std::string("onion pigment_map { [0 rgb 1] [1 checker] }")}) {
         const Result<Scene> result = read_pattern_ball(pigment);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Maps of colors and patterns (Texture::color_map), to the bit, against docs/lighting.md.
 #include <cmath>
+#include <complex>
 
 #include "formats/load_text.h"
 #include "glint/explain.h"
@@ -134,6 +135,46 @@ TEST(Patterns, HexagonsDifferFromTheirNeighbours) {
     }
 }
 
+TEST(Patterns, SpiralsHaveTheAngleAsV) {
+    const Texture spiral = with_mapping(TextureMapping::spiral);
+    const Vec3 p{3, 0.25, -4};
+    EXPECT_EQ(place_on(spiral, p).u, 5.25);
+    EXPECT_EQ(place_on(spiral, p).v, place_on(with_mapping(TextureMapping::cylindrical), p).u);
+    EXPECT_EQ(place_on(spiral, {0, -2, 0}).u, -2);
+}
+
+TEST(Patterns, MandelbrotsSetCountsSteps) {
+    Texture set = with_mapping(TextureMapping::mandelbrot);
+    const auto u = [&](double x, double y, double iterations) {
+        set.iterations = iterations;
+        const TexturePlace place = place_on(set, {x, y, 7});
+        EXPECT_EQ(place.v, 0);
+        return place.u;
+    };
+    const auto steps = [](std::complex<double> c, int most) {
+        std::complex<double> z = c;
+        for (int n = 0; n < most; ++n) {
+            z = {z.real() * z.real() - z.imag() * z.imag() + c.real(), 2 * z.real() * z.imag() + c.imag()};
+            if (std::norm(z) > 4) return n;
+        }
+        return most;
+    };
+    bool seen[41] = {};
+    for (int i = 0; i < 60; ++i)
+        for (int j = 0; j < 30; ++j) {
+            const double x = -2.3 + 0.05 * i, y = 0.05 * j;
+            const int n = steps({x, y}, 40);
+            seen[n] = true;
+            EXPECT_EQ(u(x, y, 40.9), n / 40.0) << x << " " << y;
+        }
+    EXPECT_TRUE(seen[0] && seen[1] && seen[12] && seen[40]);
+    EXPECT_EQ(u(-2, 0, 100), 1) << "at the end of the set";
+    EXPECT_EQ(u(0.3, 0.5, 1e6), 1);
+    EXPECT_EQ(u(0.26, 0, 1), 1);
+    EXPECT_EQ(u(1e300, -1e300, 100), 0);
+    EXPECT_EQ(u(std::nan(""), 0, 100), 0);
+}
+
 TEST(Patterns, CheckersAlternate) {
     for (int x = -3; x < 3; ++x)
         for (int y = -3; y < 3; ++y)
@@ -170,6 +211,12 @@ TEST(ColorMaps, AreReadAndWritten) {
                                    "a.glint");
     EXPECT_EQ(wall.textures.back().mortar, (Vec3{0.05, 0.2, 0.1}));
     EXPECT_EQ(quiet_scene(write_glint(wall).value(), "b.glint").textures, wall.textures);
+    const Scene set = quiet_scene(std::string(k_color_scene) +
+                                      "texture set { color_map = ((0, (1, 1, 1)), (1, (1, 0, 0)))  "
+                                      "mapping = mandelbrot  iterations = 250 }\n",
+                                  "a.glint");
+    EXPECT_EQ(set.textures.back().iterations, 250);
+    EXPECT_EQ(quiet_scene(write_glint(set).value(), "b.glint").textures, set.textures);
 }
 
 TEST(ColorMaps, ThePixelIsTheSumOfItsTerms) {

@@ -8,6 +8,7 @@
 
 #include "formats/povray/texture_parser.h"
 #include "math/transform.h"
+#include "scene/texture_fields.h"
 
 namespace glint::povray {
 namespace {
@@ -22,8 +23,8 @@ constexpr Affine k_x_is_y{{{0, -1, 0, 0}, {1, 0, 0, 0}, {0, 0, 1, 0}}};
 
 struct PatternRow {
     // How the pattern's number comes from the mapping's u. periodic: u - floor(u); inward: 1 - u, 0 from u =
-    // 1 on; plain: u.
-    enum class Range : std::uint8_t { periodic, inward, plain };
+    // 1 on; plain: u; unit: u, from 0 to 1.
+    enum class Range : std::uint8_t { periodic, inward, plain, unit };
 
     std::string_view word;
     TextureMapping mapping;
@@ -57,6 +58,8 @@ constexpr PatternRow k_patterns[] = {
     {"granite", TextureMapping::granite, Range::plain},
     {"wrinkles", TextureMapping::wrinkles, Range::plain},
     {"agate", TextureMapping::planar, Range::periodic, true, 0, k_x_is_z, 1.5},
+    {"spiral1", TextureMapping::spiral, Range::periodic, true, 0, k_y_is_z},
+    {"mandel", TextureMapping::mandelbrot, Range::unit},
 };
 
 // A rotation that takes the x axis to a direction of length 1.
@@ -96,6 +99,23 @@ bool set_noise(glint::Texture& texture, const PatternItems& items, double own) {
            texture.mapping == TextureMapping::wrinkles || !(t == Vec3{});
 }
 
+// POV-Ray's places are floats, and at the place of two colors it has the first one, at 1 the last one. Only
+// patterns of few numbers are often at such a place.
+double after(double at) { return at < 1 ? static_cast<float>(at) * (1 + 0x1p-52) : at; }
+
+// Uses the number after `spiral1` and `mandel`. Whether the engine has such a pattern.
+bool use_number(glint::Texture& texture, double number) {
+    if (texture.mapping == TextureMapping::spiral) {
+        auto& m = texture.uv_map.m[0];
+        m[1] = m[0] * number;  // v is 0.75 along the pattern's x axis, where POV-Ray has 0.25
+        m[2] += m[1] / 2;
+        return number::abs(number) <= 1e6;
+    }
+    if (texture.mapping != TextureMapping::mandelbrot) return true;
+    texture.iterations = number;
+    return k_iterations.contains(number);
+}
+
 // How `frequency`, `phase` and the wave change u: factor u + offset, wrapped. Nothing if the engine has no
 // such map.
 struct Change {
@@ -108,6 +128,9 @@ std::optional<Change> change_of(const PatternRow& row, const PatternItems& items
     if (row.range == Range::inward) {
         change = {-1, 1, TextureWrap::clamp};
         if (items.frequency != 1 || items.phase != 0 || is_triangle) return std::nullopt;
+    } else if (row.range == Range::unit) {
+        if (items.frequency != 1 || items.phase != 0) return std::nullopt;  // 1 would be 0
+        change.wrap = TextureWrap::clamp;
     } else if (row.range == Range::periodic && std::floor(items.frequency) != items.frequency) {
         return std::nullopt;  // POV-Ray multiplies the fraction
     }
@@ -148,6 +171,8 @@ void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optio
         axis = normalize(axis);  // its length does not count in POV-Ray
         texture.world_from_texture = x_to(axis);
     }
+    if (row->mapping == TextureMapping::spiral || row->mapping == TextureMapping::mandelbrot)
+        source.number = std::trunc(number());
     PatternItems& items = source.items;
     read_pattern_items(items, map, parts);
     if (failed()) return;
@@ -193,6 +218,7 @@ void TextureParser::draw_pattern(Pigment& pigment, PatternSource source, bool ar
     glint::Texture texture = source.texture;
     PatternItems items = source.items;
     const Token item = source.at;
+    const double count = source.number;
     bool has_filter = source.has_filter;
     const bool is_block = !texture.color_map.empty();
     pigment.pattern = make_counted<const PatternSource>(std::move(source));
@@ -208,10 +234,12 @@ void TextureParser::draw_pattern(Pigment& pigment, PatternSource source, bool ar
     if (!items.is_known || !change || (!is_block && items.map.empty())) return;
     for (const ColorMapEntry& entry : items.map) {
         has_filter = has_filter || entry.color[3] != 0;
-        texture.color_map.push_back({entry.at, rgb_of(entry.color), opacity_of(entry.color)});
+        texture.color_map.push_back({row->range == Range::unit ? after(entry.at) : entry.at,
+                                     rgb_of(entry.color), opacity_of(entry.color)});
     }
     texture.uv_map.m[0][0] = change->factor;
     texture.uv_map.m[0][2] = change->offset;
+    if (!use_number(texture, count)) return;
     texture.wrap_u = change->wrap;
     pigment.missing.reset();
     if (set_noise(texture, items, row->turbulence))

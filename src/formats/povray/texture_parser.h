@@ -44,6 +44,7 @@ struct PatternSource {
     Token at;
     glint::Texture texture;  ///< its mapping, and the colors of `checker` and the like
     Vec3 axis{1, 0, 0};      ///< of `gradient`
+    double number = 0;       ///< after the word: of `spiral1` the arms, of `mandel` the steps; whole
     bool has_filter = false;
     PatternItems items{};
 };

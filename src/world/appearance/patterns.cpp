@@ -48,4 +48,23 @@ double hexagons(Vec3 p) {
     return (number - 3 * std::floor(number / 3)) / 4;
 }
 
+double mandelbrot(Vec3 p, double iterations) {
+    const double most = std::floor(iterations);
+    double x = p.x, y = p.y;
+    // Within the set, z soon repeats itself to the bit: then it never leaves. It is compared with itself at
+    // steps that double.
+    double kept_x = x, kept_y = y, next = 1;
+    for (double n = 0; n < most; ++n) {
+        const double difference = x * x - y * y;
+        y = 2 * x * y + p.y;
+        x = difference + p.x;
+        if (!(x * x + y * y <= 4)) return n / most;
+        if (x == kept_x && y == kept_y) return 1;
+        if (n < next) continue;
+        kept_x = x, kept_y = y;
+        next = 2 * n;
+    }
+    return 1;
+}
+
 }  // namespace glint

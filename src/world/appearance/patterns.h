@@ -11,5 +11,7 @@ double leopard(Vec3 p);
 /// 0 in the mortar, else 0.5.
 double bricks(Vec3 p, Vec3 mortar);
 double hexagons(Vec3 p);
+/// iterations: at least 1.
+double mandelbrot(Vec3 p, double iterations);
 
 }  // namespace glint

@@ -206,6 +206,10 @@ TexturePlace place_on(const Texture& texture, Vec3 p) {
             return TexturePlace{granite(p), 0};
         case TextureMapping::wrinkles:
             return TexturePlace{wrinkles(p), 0};
+        case TextureMapping::spiral:
+            return TexturePlace{number::sqrt(p.x * p.x + p.z * p.z) + p.y, around(p)};
+        case TextureMapping::mandelbrot:
+            return TexturePlace{mandelbrot(p, texture.iterations), 0};
         case TextureMapping::planar:
         case TextureMapping::uv:
             break;
