@@ -123,8 +123,9 @@ struct ExplainedTexture {
     /// TextureFilter::nearest, the second ones are the first; beside the picture, with TextureWrap::clip, all
     /// are -1. With a Texture::color_map, columns are its colors, from 0, and there is one row.
     int column = 0, next_column = 0, row = 0, next_row = 0;
-    double next_column_weight = 0, next_row_weight = 0;  ///< the first ones have 1 minus these
-    Color color;                                         ///< decoded and mixed
+    /// The first ones have 1 minus these. With TextureFilter::distance, where the point is between them.
+    double next_column_weight = 0, next_row_weight = 0;
+    Color color;  ///< decoded and mixed
     double alpha = 1;
     Color ambient, diffuse;  ///< color times Texture::ambient and diffuse; of layers, the sums of these
     bool is_layer = false;   ///< one of `layers`

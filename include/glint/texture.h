@@ -34,7 +34,8 @@ struct TextureImage {
 enum class TextureWrap : std::uint8_t { repeat, mirror, clamp, once, clip };
 
 /// nearest: the texel that contains the point. bilinear: between the middles of the four nearest texels.
-enum class TextureFilter : std::uint8_t { nearest, bilinear };
+/// distance: their mean by 1 over the square of the distance, in texels; with a color_map as bilinear.
+enum class TextureFilter : std::uint8_t { nearest, bilinear, distance };
 
 /// What the texture's color does. multiply: the material's color, k_a and k_d are multiplied by it, channel
 /// by channel; k_s is not. replace: the surface looks as if it had with_color(its material, the texture's

@@ -20,7 +20,7 @@ TextureMapping = Literal[
     "uv", "planar", "spherical", "cylindrical", "checker", "onion", "rings", "boxes", "slabs", "leopard", "bricks", "hexagons", "noise", "granite", "wrinkles", "spiral", "mandelbrot"
 ]  # fmt: skip
 TextureWrap = Literal["repeat", "mirror", "clamp", "once", "clip"]
-TextureFilter = Literal["nearest", "bilinear"]
+TextureFilter = Literal["nearest", "bilinear", "distance"]
 TextureMix = Literal["multiply", "replace", "multiply_all"]
 TextureEncoding = Literal["srgb", "linear"]
 TextureAlpha = Literal["blend", "mask", "ignore"]

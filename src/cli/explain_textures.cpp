@@ -44,6 +44,7 @@ std::string sample_text(const Scene& scene, const ExplainedTexture& t) {
     } else if (texture.filter == TextureFilter::nearest) {
         text += fmt::format("texel in column {}, row {}", t.column, t.row);
     } else {
+        if (texture.filter == TextureFilter::distance) text += "by distance, ";
         text += fmt::format("texels in columns {} ({}) and {} ({}), rows {} ({}) and {} ({})", t.column,
                             number(1 - t.next_column_weight), t.next_column, number(t.next_column_weight),
                             t.row, number(1 - t.next_row_weight), t.next_row, number(t.next_row_weight));

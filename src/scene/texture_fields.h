@@ -7,7 +7,7 @@
 namespace glint {
 
 inline constexpr std::string_view k_wrap_words[] = {"repeat", "mirror", "clamp", "once", "clip"};
-inline constexpr std::string_view k_filter_words[] = {"nearest", "bilinear"};
+inline constexpr std::string_view k_filter_words[] = {"nearest", "bilinear", "distance"};
 inline constexpr std::string_view k_mix_words[] = {"multiply", "replace", "multiply_all"};
 inline constexpr std::string_view k_encoding_words[] = {"linear", "srgb"};
 inline constexpr std::string_view k_alpha_words[] = {"blend", "mask", "ignore"};

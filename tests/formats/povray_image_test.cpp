@@ -52,6 +52,14 @@ TEST(PovrayImages, ArePlanarNearestAndRepeatedByDefault) {
     EXPECT_EQ(scene.materials[0].diffuse, (Color{0.6, 0.6, 0.6}));
 }
 
+TEST(PovrayImages, AreInterpolated) {
+    const auto filter = [](std::string_view items) {
+        return texture_of(ball("image_map { ppm \"a.ppm\" " + std::string(items) + " }")).filter;
+    };
+    EXPECT_EQ(filter("interpolate 2"), TextureFilter::bilinear);
+    EXPECT_EQ(filter("interpolate 4"), TextureFilter::distance);
+}
+
 TEST(PovrayImages, HaveTheTransformsAfterThem) {
     const auto place = [](const std::string& text) { return texture_of(text).world_from_texture; };
     EXPECT_EQ(place(ball(std::string(k_image) + " scale 2")), scaling({2, 2, 2}));
@@ -103,7 +111,7 @@ TEST(PovrayImages, HaveUAndVOfMeshes) {
 
 TEST(PovrayImages, SayWhatIsNotRendered) {
     for (const auto& [items, named] : {std::pair{"map_type 5", "map_type"},
-                                       {"interpolate 4", "drawn as 2"},
+                                       {"interpolate 3", "drawn as 2"},
                                        {"transmit 3 0.5", "palette"}}) {
         const std::string text = ball("image_map { ppm \"a.ppm\" " + std::string(items) + " }");
         EXPECT_NE(warnings_of(text).find(named), std::string::npos) << items;

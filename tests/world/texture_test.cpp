@@ -88,7 +88,8 @@ TEST(Textures, WrapInFourWays) {
 }
 
 TEST(Textures, TakeEveryNumber) {
-    for (const TextureFilter filter : {TextureFilter::nearest, TextureFilter::bilinear}) {
+    for (const TextureFilter filter :
+         {TextureFilter::nearest, TextureFilter::bilinear, TextureFilter::distance}) {
         for (const TextureWrap wrap : {TextureWrap::repeat, TextureWrap::mirror, TextureWrap::clamp}) {
             Texture t = small_texture();
             t.filter = filter;
@@ -129,6 +130,25 @@ TEST(Textures, AreMixedInTheDocumentedOrder) {
     EXPECT_EQ(s->color.b, 7 / 255.0);  // the same in all texels
 }
 
+TEST(Textures, AreMixedByTheSquareOfTheDistance) {
+    Texture t = small_texture();
+    t.filter = TextureFilter::distance;
+    for (double x = 0; x < 1; x += 0.0625)
+        for (double y = 0; y < 1; y += 0.0625) {
+            const auto s = sampled(t, (x + 0.5) / 2, 1 - (y + 1.5) / 3);
+            ASSERT_TRUE(s);
+            double sum = 0, weights = 0;
+            for (int i = 0; i < 4; ++i) {
+                const double dx = i % 2 - x, dy = i / 2 - y, d = std::max(dx * dx + dy * dy, 1e-18);
+                sum += 51 * (2 + i) / 255.0 / d;
+                weights += 1 / d;
+            }
+            EXPECT_NEAR(s->color.r, sum / weights, 1e-12) << x << " " << y;
+            EXPECT_NEAR(s->right, x, 1e-12) << "where it is between the texels";
+        }
+    EXPECT_EQ(sampled(t, 0.25, 0.5)->color.r, 51 * 2 / 255.0) << "at the middle of a texel";
+}
+
 TEST(Textures, MixAcrossTheirBorders) {
     Texture t = small_texture();
     t.filter = TextureFilter::bilinear;
@@ -150,8 +170,11 @@ TEST(Textures, OfOneTexelAreOneColor) {
         Texture t = small_texture();
         TextureImage image{width, height, false, std::vector<std::uint8_t>(3 * width * height, 100)};
         t.image = std::make_shared<const TextureImage>(std::move(image));
-        t.filter = TextureFilter::bilinear;
-        for (double at = -3; at < 3; at += 0.173) EXPECT_EQ(sampled(t, at, at * 1.7)->color.g, 100 / 255.0);
+        for (const TextureFilter filter : {TextureFilter::bilinear, TextureFilter::distance}) {
+            t.filter = filter;
+            for (double at = -3; at < 3; at += 0.173)
+                EXPECT_EQ(sampled(t, at, at * 1.7)->color.g, 100 / 255.0);
+        }
     }
 }
 

@@ -99,6 +99,8 @@ void TextureList::warn(const Texture& texture) {
     if (texture.ambient != 1 || texture.diffuse != 1)
         losses_.add("`ambient` and `diffuse` of textures", "they are left out");
     if (texture.over != k_none) losses_.add("textures over others", "the one in front is written");
+    if (texture.filter == TextureFilter::distance)
+        losses_.add("the filter `distance` of textures", "they are bilinear");
     if (texture.image->words.index() == 1)
         losses_.add("textures with 16 bits a channel that all programs read", "they are written with 8");
     if (texture.mapping != TextureMapping::uv)

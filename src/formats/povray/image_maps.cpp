@@ -44,7 +44,9 @@ void TextureParser::read_image_map(Pigment& pigment, const Token& at) {
     texture.mapping = items.map_type == 1   ? TextureMapping::spherical
                       : items.map_type == 2 ? TextureMapping::cylindrical
                                             : TextureMapping::planar;
-    texture.filter = items.interpolate == 0 ? TextureFilter::nearest : TextureFilter::bilinear;
+    texture.filter = items.interpolate == 0   ? TextureFilter::nearest
+                     : items.interpolate == 4 ? TextureFilter::distance
+                                              : TextureFilter::bilinear;
     if (items.is_once) texture.wrap_u = texture.wrap_v = TextureWrap::clip;
     if (!items.missing && texture.image->has_alpha && (items.filter != 0 || items.transmit != 0))
         items.missing = {"filter, transmit", "of a picture with alpha", call_place(at)};
@@ -99,8 +101,8 @@ void TextureParser::read_image_item(const Token& at, ImageItems& items) {
         if (type != items.map_type) is_refused("image_map", "of this map_type");
     } else if (word == "interpolate") {
         const double method = number();
-        items.interpolate = method == 0 ? 0 : 2;
-        if (method != items.interpolate) is_refused("interpolate", "other than 2: it is drawn as 2");
+        items.interpolate = method == 0 ? 0 : method == 4 ? 4 : 2;
+        if (method != items.interpolate) is_refused("interpolate", "other than 2 and 4: it is drawn as 2");
     } else if (word == "once") {
         items.is_once = true;
     } else if (word == "premultiplied") {

@@ -98,6 +98,22 @@ Channels mixed(const Channels& a, const Channels& b, double second) {
     return c;
 }
 
+// The weights of the second texel in the upper and in the lower row, and of the lower row.
+struct TexelWeights {
+    std::array<double, 2> right;
+    double lower;
+};
+// By 1 / d, where d is the square of the distance: of the weights 1 / d and 1 / e of two, the second is d /
+// (d + e) of the sum. At most one d is 0.
+TexelWeights weights_by_distance(double right, double lower) {
+    const double left = (1 - right) * (1 - right), upper = (1 - lower) * (1 - lower);
+    right *= right, lower *= lower;
+    // Squares: the left texel's distance is `right`.
+    const double a = right + lower, b = left + lower, c = right + upper, d = left + upper;
+    const double of_upper = (a + b) * (c * d), of_lower = (c + d) * (a * b);
+    return {{a / (a + b), c / (c + d)}, of_lower / (of_upper + of_lower)};
+}
+
 Channels texel(const PreparedTexture& texture, std::int32_t column, std::int32_t row) {
     const TextureImage& image = *texture.image;
     const std::size_t first =
@@ -238,13 +254,16 @@ std::optional<TextureSample> sample_color(const PreparedTexture& texture, Textur
     const Pair columns = texels_at(*u, image.width, texture.wrap_u, texture.filter),
                rows = texels_at(1 - *v, image.height, texture.wrap_v, texture.filter);
     TextureSample sample{place, columns.texels, rows.texels, columns.second, rows.second, {}, 1};
+    const TexelWeights weights = texture.filter == TextureFilter::distance
+                                     ? weights_by_distance(sample.right, sample.lower)
+                                     : TexelWeights{{sample.right, sample.right}, sample.lower};
     const auto row = [&](std::size_t i) {
         const Channels left = texel(texture, sample.columns[0], sample.rows[i]);
         if (texture.filter == TextureFilter::nearest) return left;
-        return mixed(left, texel(texture, sample.columns[1], sample.rows[i]), sample.right);
+        return mixed(left, texel(texture, sample.columns[1], sample.rows[i]), weights.right[i]);
     };
     Channels found = row(0);
-    if (texture.filter == TextureFilter::bilinear) found = mixed(found, row(1), sample.lower);
+    if (texture.filter != TextureFilter::nearest) found = mixed(found, row(1), weights.lower);
     sample.color = {found.values[0], found.values[1], found.values[2]};
     sample.alpha = found.values[3];
     return sample;
