@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include "formats/glint_blocks.h"
 #include "formats/glint_item.h"
@@ -62,7 +64,7 @@ class ShapeReader {
             std::vector<Field> all;
             Shape shape;
             Shape::fields(shape, FieldNames{all});
-            all.insert(all.end(), std::begin(k_shape_fields), std::end(k_shape_fields));
+            for (const Field& field : k_shape_fields) all.push_back(field);
             return all;
         }();
         return fields;
@@ -168,8 +170,10 @@ class ShapeReader {
     };
 
   private:
+    using ReadOwn = std::function<bool(int, const Token&)>;
+
     // Reads the block. False if there is no shape to add.
-    template <class ReadOwn> bool keys(std::span<const Field> fields, ReadOwn&& read_own) {
+    bool keys(std::span<const Field> fields, const ReadOwn& read_own) {
         const int own = static_cast<int>(fields.size() - std::size(k_shape_fields));
         name_ = block_name(t_);
         FieldSet set(t_.p.text(word_), fields, hints());
@@ -231,6 +235,10 @@ class ShapeReader {
     }
 
     template <class Shape> void add(const Shape& shape) {
+        const auto [material, transform] = find_look();
+        finish(t_.scene.add(shape, material, transform));
+    }
+    std::pair<std::uint32_t, std::uint32_t> find_look() {
         auto& scene = t_.scene;
         std::uint32_t transform = k_none;
         if (const auto map = compose_maps(std::nullopt, item_.map)) {
@@ -240,10 +248,11 @@ class ShapeReader {
             transform = transform_index(scene, context_);
         }
         const std::uint32_t base = item_.material != k_none ? item_.material : context_.material;
-        const std::uint32_t material = t_.materials.changed(t_, word_, base, item_.keys, true);
-        const std::uint32_t index = scene.add(shape, material, transform);
-        scene.set_shape_color(index, color_);
-        note(scene.shape_texts, index, source_place(t_.text, word_), std::move(name_));
+        return {t_.materials.changed(t_, word_, base, item_.keys, true), transform};
+    }
+    void finish(std::uint32_t index) {
+        t_.scene.set_shape_color(index, color_);
+        note(t_.scene.shape_texts, index, source_place(t_.text, word_), std::move(name_));
     }
 
     bool length(double& value) {
