@@ -5,7 +5,10 @@
 // and the scene language. It calls visit.point, visit.direction (not 0), visit.length (> 0), visit.radius
 // (>= 0, and 0 if a scene file has none), visit.coefficients or visit.coefficient (any number, likewise) for
 // each.
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <string_view>
 
 #include "glint/vec.h"
 
@@ -134,6 +137,24 @@ struct Quadric {
     }
 };
 
+/// The terms of a Quartic: "x2yz" is x^2 y z.
+inline constexpr std::string_view k_quartic_terms[] = {
+    "x4",  "x3y",  "x3z", "x3",  "x2y2", "x2yz", "x2y", "x2z2", "x2z", "x2",  "xy3",     "xy2z",
+    "xy2", "xyz2", "xyz", "xy",  "xz3",  "xz2",  "xz",  "x",    "y4",  "y3z", "y3",      "y2z2",
+    "y2z", "y2",   "yz3", "yz2", "yz",   "y",    "z4",  "z3",   "z2",  "z",   "constant"};
+
+/// The points at which f(x, y, z), the sum of coefficients[i] times the term k_quartic_terms[i], is 0: a
+/// surface of degree 4 at most. One coefficient besides `constant` at least is not 0. Its inside is where f <
+/// 0; the normal is the gradient of f. Where f does not change its sign, there is no surface, as of a
+/// Quadric.
+struct Quartic {
+    double coefficients[std::size(k_quartic_terms)] = {};
+    template <class Self, class Visit> static void fields(Self& self, Visit&& visit) {
+        for (std::size_t i = 0; i < std::size(k_quartic_terms); ++i)
+            visit.coefficient(k_quartic_terms[i], self.coefficients[i]);
+    }
+};
+
 // The list of kinds: X(Type, word), in the order of ShapeKind. Ties between shapes are resolved by scene
 // order.
 #define GLINT_SHAPES(X)                \
@@ -149,7 +170,8 @@ struct Quadric {
     X(Mesh, mesh)                      \
     X(Torus, torus)                    \
     X(Solid, solid)                    \
-    X(Quadric, quadric)
+    X(Quadric, quadric)                \
+    X(Quartic, quartic)
 
 enum class ShapeKind : std::uint8_t {
 #define GLINT_KIND(Type, word) word,

@@ -152,8 +152,8 @@ struct WorldMemory {
 };
 GLINT_API WorldMemory memory_usage(const World& world);
 
-/// The bounds of all bounded shapes; min > max if there are none. Planes, quadrics and solids without ends
-/// are not bounded.
+/// The bounds of all bounded shapes; min > max if there are none. Planes, and quadrics, quartics and solids
+/// without ends are not bounded.
 struct Bounds {
     Vec3 min, max;
 };

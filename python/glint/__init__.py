@@ -33,6 +33,7 @@ from ._glint import (
     Plane,
     Polygon,
     Quadric,
+    Quartic,
     Shape,
     SmoothTriangle,
     Solid,
@@ -61,7 +62,7 @@ add_methods()
 __all__ = [
     "Attenuation", "BackgroundGradient", "Box", "Camera", "CameraFrame", "Color", "ColorLike", "ColorScale", "Comparison", "Cone", "Cylinder",
     "Diagnosis", "Diagnostic", "Disc", "Explanation", "Finding", "Fog", "GlintError", "GlintWarning", "Graded", "GradedPart", "Grades", "Hits",
-    "Image", "Light", "LiveView", "Material", "Mesh", "Occlusion", "Plane", "Polygon", "ProposedPixel", "Quadric", "Record", "Scene", "Shape", "SmoothTriangle", "Solid", "Sphere",
+    "Image", "Light", "LiveView", "Material", "Mesh", "Occlusion", "Plane", "Polygon", "ProposedPixel", "Quadric", "Quartic", "Record", "Scene", "Shape", "SmoothTriangle", "Solid", "Sphere",
     "Surface", "Texture", "Torus", "TraceLog", "Triangle", "Vec3", "VectorLike", "Versus", "animate", "check", "compare", "convert", "diagnose", "explain", "grade", "isa_names",
     "load", "loads", "profiles", "propose_pixels", "setting_infos", "show", "surface", "versus",
 ]

@@ -26,7 +26,7 @@ _POSITIONAL: Dict[Any, Tuple[str, ...]] = {
 }
 _SHAPES = (
     _glint.Sphere, _glint.Plane, _glint.Cylinder, _glint.Cone, _glint.Disc, _glint.Box, _glint.Triangle,
-    _glint.SmoothTriangle, _glint.Polygon, _glint.Mesh, _glint.Torus, _glint.Quadric,
+    _glint.SmoothTriangle, _glint.Polygon, _glint.Mesh, _glint.Torus, _glint.Quadric, _glint.Quartic,
     _glint.Solid,
 )  # fmt: skip
 _REQUIRED = {_glint.Polygon: ("vertices",), _glint.Mesh: ("vertices", "triangles"), _glint.Solid: ("operation", "parts")}

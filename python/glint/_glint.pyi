@@ -554,6 +554,86 @@ class Quadric(Shape):
     linear: _VectorField
     constant: float
 
+class Quartic(Shape):
+    def __init__(
+        self,
+        x4: float = ...,
+        x3y: float = ...,
+        x3z: float = ...,
+        x3: float = ...,
+        x2y2: float = ...,
+        x2yz: float = ...,
+        x2y: float = ...,
+        x2z2: float = ...,
+        x2z: float = ...,
+        x2: float = ...,
+        xy3: float = ...,
+        xy2z: float = ...,
+        xy2: float = ...,
+        xyz2: float = ...,
+        xyz: float = ...,
+        xy: float = ...,
+        xz3: float = ...,
+        xz2: float = ...,
+        xz: float = ...,
+        x: float = ...,
+        y4: float = ...,
+        y3z: float = ...,
+        y3: float = ...,
+        y2z2: float = ...,
+        y2z: float = ...,
+        y2: float = ...,
+        yz3: float = ...,
+        yz2: float = ...,
+        yz: float = ...,
+        y: float = ...,
+        z4: float = ...,
+        z3: float = ...,
+        z2: float = ...,
+        z: float = ...,
+        constant: float = ...,
+        *,
+        material: Optional[Material] = ...,
+        color: Optional[ColorLike] = ...,
+        transform: Any = ...,
+        name: str = ...,
+    ) -> None: ...
+    x4: float
+    x3y: float
+    x3z: float
+    x3: float
+    x2y2: float
+    x2yz: float
+    x2y: float
+    x2z2: float
+    x2z: float
+    x2: float
+    xy3: float
+    xy2z: float
+    xy2: float
+    xyz2: float
+    xyz: float
+    xy: float
+    xz3: float
+    xz2: float
+    xz: float
+    x: float
+    y4: float
+    y3z: float
+    y3: float
+    y2z2: float
+    y2z: float
+    y2: float
+    yz3: float
+    yz2: float
+    yz: float
+    y: float
+    z4: float
+    z3: float
+    z2: float
+    z: float
+    constant: float
+
 class Box(Shape):
     def __init__(
         self,

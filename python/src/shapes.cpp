@@ -300,6 +300,9 @@ void bind_shapes(py::module_& m) {
         "Quadric(squares, products, linear, constant): the points at which squares . (x^2, "
         "y^2, z^2) + products . (xy, xz, yz) + linear . (x, y, z) + constant is 0. Its inside "
         "is where that is below 0");
+    bind_shape<Quartic>(m, "Quartic",
+                        "Quartic(x4, x3y, ..., constant): the points at which the sum of the terms times "
+                        "these factors is 0; x3y is that of x^3 y. Its inside is where that is below 0");
     bind_mesh(m);
     bind_solid(m, cls);
 }

@@ -210,6 +210,7 @@ def test_every_kind_of_shape():
         glint.Mesh([(0, 0, 0), (1, 0, 0), (1, 1, 0.1), (0, 1, 0)], [(0, 1, 2), (0, 2, 3)]),
         glint.Torus((0, 1, 0), (0, 1, 0), 2, 0.5),
         glint.Quadric((1, 2, 1), (0.5, 0, 0), (0, -1, 0), -0.5),
+        glint.Quartic(x4=1, y4=1, z4=1, x2yz=0.5, constant=-1),
         glint.Disc((0, 1, 0), (0, 1, 0), 2, hole=0.5),
         glint.Sphere() - glint.Box(),
     ]
@@ -217,7 +218,7 @@ def test_every_kind_of_shape():
         scene.add(shape)
     assert [s.kind for s in scene.shapes] == [
         "sphere", "plane", "cylinder", "cone", "disc", "box", "triangle", "smooth_triangle", "polygon", "mesh",
-        "torus", "quadric", "disc", "solid",
+        "torus", "quadric", "quartic", "disc", "solid",
     ]  # fmt: skip
     assert glint.loads(scene.to_glint()).to_glint() == scene.to_glint()
     scene.shapes[8].vertices = [(0, 0, 0), (2, 0, 0), (2, 2, 0)]

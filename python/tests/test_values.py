@@ -35,6 +35,7 @@ VALUES = [
     glint.Disc((0, 0, 0), (0, 0, 1), 2, 0.5),
     glint.Torus((1, 0, 0), (0, 0, 1), 2, 0.25),
     glint.Quadric((1, -1, 1), constant=-0.25),
+    glint.Quartic(x4=1, y2=-2, constant=-0.25),
     glint.Box((0, 0, 0), (1, 2, 3)),
     glint.Triangle(VERTICES),
     glint.SmoothTriangle(VERTICES, [(0, 0, 1)] * 3),

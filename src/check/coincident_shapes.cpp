@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 #include <map>
 #include <unordered_set>
 
@@ -68,6 +69,11 @@ std::vector<double> values_of(const Scene& scene, const Shape& shape) {
         case ShapeKind::quadric: {
             const Quadric& s = scene.get<Quadric>()[shape.index];
             append(v, s.squares), append(v, s.products), append(v, s.linear), v.push_back(s.constant);
+            break;
+        }
+        case ShapeKind::quartic: {
+            const Quartic& s = scene.get<Quartic>()[shape.index];
+            v.insert(v.end(), std::begin(s.coefficients), std::end(s.coefficients));
             break;
         }
         case ShapeKind::box: {

@@ -47,6 +47,7 @@ Maybe RayModel::turned_normal() const {
             case ShapeKind::box:
             case ShapeKind::torus:
             case ShapeKind::quadric:
+            case ShapeKind::quartic:
                 return false;
             case ShapeKind::cylinder:
                 return !model_.scene.get<Cylinder>()[shape.index].caps;

@@ -22,7 +22,7 @@ constexpr std::string_view k_block_words[] = {
     "plane",   "cylinder", "cone",        "disc",         "box",        "triangle",
     "polygon", "render",   "conventions", "fog",          "occlusion",  "background_gradient",
     "torus",   "union",    "merge",       "intersection", "difference", "inverse",
-    "clip",    "quadric"};
+    "clip",    "quadric",  "quartic"};
 constexpr std::string_view k_setting_words[] = {"background", "profile", "glint"};
 
 // The keys of Conventions, or of RenderSettings.

@@ -21,8 +21,8 @@ inline constexpr auto k_item_fields = [] {
     std::copy(std::begin(k_transform_fields), std::end(k_transform_fields), next);
     return all;
 }();
-// A shape has at most eight keys of its own in addition.
-static_assert(k_item_fields.size() + 8 <= k_max_keys);
+// A quartic has the most keys of its own in addition, and `shape_color`.
+static_assert(k_item_fields.size() + std::size(k_quartic_terms) + 1 <= k_max_keys);
 
 struct GlintItem {
     std::uint32_t material = k_none;  ///< the named material

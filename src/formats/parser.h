@@ -3,6 +3,7 @@
 // Common to all readers: one token of look-ahead, messages about what was expected, and recovery after a
 // mistake.
 #include <array>
+#include <bitset>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,7 +30,7 @@ struct SpellingHint {
     std::string_view name, instead;
 };
 
-inline constexpr std::size_t k_max_keys = 64;
+inline constexpr std::size_t k_max_keys = 128;
 
 /// The keys of one block: those that its reader knows, and those read so far. At most k_max_keys.
 class FieldSet {
@@ -43,14 +44,14 @@ class FieldSet {
     std::span<const Field> fields() const { return fields_; }
     std::span<const SpellingHint> hints() const { return hints_; }
     bool is_strict() const { return is_strict_; }
-    bool has(int index) const { return (met_ >> index & 1u) != 0; }
-    void add(int index) { met_ |= std::uint64_t{1} << index; }
+    bool has(int index) const { return met_.test(static_cast<std::size_t>(index)); }
+    void add(int index) { met_.set(static_cast<std::size_t>(index)); }
 
   private:
     std::string_view what_;
     std::span<const Field> fields_;
     std::span<const SpellingHint> hints_;
-    std::uint64_t met_ = 0;
+    std::bitset<k_max_keys> met_;
     bool is_strict_ = false;
 };
 

@@ -16,6 +16,7 @@
 #include "geometry/mesh-inl.h"
 #include "geometry/plane-inl.h"
 #include "geometry/quadric-inl.h"
+#include "geometry/quartic-inl.h"
 #include "geometry/solid-inl.h"
 #include "geometry/sphere-inl.h"
 #include "geometry/torus-inl.h"

@@ -4,6 +4,9 @@
 
 namespace glint {
 
+/// How often a line is inside of one shape at most: GeometryTraits::k_crossings / 2.
+inline constexpr int k_max_intervals = 3;
+
 /// The usual properties. The geometry of a kind (geometry/kinds-inl.h) derives from this struct and declares
 /// those again that differ.
 struct GeometryTraits {

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <span>
 
 #include "scene/ranges.h"
@@ -78,6 +80,13 @@ class ParameterCheck {
             say("expected a coefficient other than 0 in squares, products or linear");
     }
 
+    void check_parameters(const Quartic& quartic) {
+        Quartic::fields(quartic, FieldCheck{mistakes_});
+        const auto last = std::end(quartic.coefficients) - 1;
+        if (std::all_of(std::begin(quartic.coefficients), last, [](double x) { return x == 0; }))
+            say("expected a coefficient other than 0 besides the constant");
+    }
+
     void check_parameters(const Cylinder& c) {
         if (!is_coordinate(c.from) || !is_coordinate(c.to)) {
             say(fmt::format("expected an axis within 1e12, found {} to {}", text(c.from), text(c.to)));
@@ -145,10 +154,10 @@ class ParameterCheck {
     void check_operand(std::size_t number, const Shape& operand) {
         std::vector<std::string> mistakes;
         if (!encloses_space(scene_, operand)) {
-            mistakes.push_back(
-                fmt::format("expected a shape that encloses a space (a sphere, box, torus, quadric or plane, "
-                            "or a cylinder or cone with caps), found a {}",
-                            to_string(operand.kind)));
+            mistakes.push_back(fmt::format(
+                "expected a shape that encloses a space (a sphere, box, torus, quadric, quartic or plane, "
+                "or a cylinder or cone with caps), found a {}",
+                to_string(operand.kind)));
         } else {
             ParameterCheck(scene_, mistakes, valid_meshes_).check(operand);
         }

@@ -15,6 +15,7 @@ bool encloses_space(const Scene& scene, const Shape& shape) {
         case ShapeKind::box:
         case ShapeKind::torus:
         case ShapeKind::quadric:
+        case ShapeKind::quartic:
             return true;
         case ShapeKind::cylinder:
             return shape.index < scene.get<Cylinder>().size() && scene.get<Cylinder>()[shape.index].caps;

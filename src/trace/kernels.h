@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bvh/rays.h"
+#include "geometry/traits.h"
 #include "glint/render.h"
 #include "trace/hits/hit_columns.h"
 #include "trace/surface_record.h"
@@ -15,8 +16,6 @@
 #include "world/world.h"
 
 namespace glint {
-
-inline constexpr int k_max_intervals = 2;
 
 struct Kernels {
     const char* isa;

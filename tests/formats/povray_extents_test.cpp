@@ -152,6 +152,7 @@ TEST(PovRayExtents, OfDeclaredCopiesAndElementsAreRead) {
 TEST(PovRayExtents, WhatIsNotKnownIsNamed) {
     const std::pair<std::string, std::string> unknown[] = {
         {"quadric { <1, 1, 1>, 0, 0, -1 }", "quadric"},
+        {"poly { 2, <1, 0, 0, 0, 1, 0, 0, 1, 0, -1> }", "quartic"},
         {"polygon { 4, 0, x, y, 0 }", "polygon"},
         {"sphere { 0, 1 bounded_by { box { -1, 1 } } }", "with bounded_by"},
         {"sphere { 0, 1 clipped_by { box { 0, 1 } } }", "with clipped_by"},

@@ -73,6 +73,23 @@ TEST(PovRayMissing, ParallelLightsBelowAPolygon) {
               std::string::npos);
 }
 
+TEST(PovRayMissing, BoundsOfShapesWithoutEnds) {
+    const std::string bounds = " bounded_by { sphere { 0, 2 } } }";
+    const std::string zeros = ", 0, 0, 0, 0, 0, 0, 0, 0, 0";
+    const std::string ring = "quartic { <1, 0, 0, 0, 2, 0, 0, 2, 0, -3" + zeros + ", 0, 1, 0, 0, 2, 0, -3" +
+                             ", 0, 0, 0, 0, 1, 0, -3, 0, 1>";
+    for (const std::string& text :
+         {"plane { y, 0" + bounds, "quadric { <1, 0, 1>, 0, 0, -1" + bounds,
+          "quartic { <1, 0, 0, 0" + zeros + zeros + zeros + ", 0, 1, 0, -1>" + bounds,
+          "union { sphere { 0, 1 } plane { y, 0 }" + bounds})
+        EXPECT_NE(said(text).find("POV-Ray draws a shape without ends only where"), std::string::npos)
+            << text;
+    for (const std::string& text :
+         {std::string("plane { y, 0 }"), "sphere { 0, 1" + bounds, "quadric { <1, 1, 1>, 0, 0, -1" + bounds,
+          ring + bounds, "intersection { plane { y, 0 } sphere { 0, 1 }" + bounds})
+        EXPECT_EQ(said(text), "") << text;
+}
+
 TEST(PovRayMissing, RefractionOfThreeObjectsWithinEachOther) {
     const std::string glass = "pigment { rgbt 1 } interior { ior 1.5 } }";
     const Scene scene = povray_scene("sphere { 0, 1 " + glass);

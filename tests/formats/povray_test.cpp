@@ -146,6 +146,48 @@ TEST(PovRay, ShapesHaveTheirParameters) {
     EXPECT_EQ(scene.shape_texts.place(1).line, 3u);
 }
 
+TEST(PovRay, QuarticsCubicsAndPolysHaveTheSameTerms) {
+    const auto coefficients = [](const std::string& text) {
+        std::map<std::string_view, double> found;
+        const Scene scene = povray_scene(text);
+        for (std::size_t i = 0; i < std::size(k_quartic_terms); ++i) {
+            const double c = scene.get<Quartic>().at(0).coefficients[i];
+            if (c != 0) found[k_quartic_terms[i]] = c;
+        }
+        return found;
+    };
+    using Terms = std::map<std::string_view, double>;
+    const auto list = [](int count) {
+        std::string text = "<1";
+        for (int i = 2; i <= count; ++i) text += ", " + std::to_string(i);
+        return text + "> pigment { rgb 1 } }";
+    };
+    const Terms all = coefficients("quartic { " + list(35));
+    ASSERT_EQ(all.size(), 35u);
+    for (std::size_t i = 0; i < 35; ++i) EXPECT_EQ(all.at(k_quartic_terms[i]), static_cast<double>(i + 1));
+    EXPECT_EQ(coefficients("poly { 4, " + list(35)), all);
+    const Terms cubic = coefficients("cubic { " + list(20));
+    EXPECT_EQ(cubic, (Terms{{"x3", 1},  {"x2y", 2},  {"x2z", 3}, {"x2", 4},   {"xy2", 5},
+                            {"xyz", 6}, {"xy", 7},   {"xz2", 8}, {"xz", 9},   {"x", 10},
+                            {"y3", 11}, {"y2z", 12}, {"y2", 13}, {"yz2", 14}, {"yz", 15},
+                            {"y", 16},  {"z3", 17},  {"z2", 18}, {"z", 19},   {"constant", 20}}));
+    EXPECT_EQ(coefficients("poly { 3 " + list(20)), cubic);
+    EXPECT_EQ(coefficients("poly { 2, " + list(10)), (Terms{{"x2", 1},
+                                                            {"xy", 2},
+                                                            {"xz", 3},
+                                                            {"x", 4},
+                                                            {"y2", 5},
+                                                            {"yz", 6},
+                                                            {"y", 7},
+                                                            {"z2", 8},
+                                                            {"z", 9},
+                                                            {"constant", 10}}));
+    for (const std::string& text : {"quartic { " + list(34), "cubic { " + list(21), "poly { 1, " + list(4),
+                                    std::string("poly { 36, <1> }"), std::string("poly { 5, <1, 2> }"),
+                                    std::string("poly { 2, <0, 0, 0, 0, 0, 0, 0, 0, 0, 1> }")})
+        EXPECT_FALSE(read_povray(text).ok()) << text;
+}
+
 TEST(PovRay, TransformsAreAppliedInTheOrderWritten) {
     const Scene scene = povray_scene(
         "sphere { x, 1 scale 2 rotate 90*z translate <0, 0, 5> }\n"

@@ -85,6 +85,7 @@ TEST(PovRayTrace, InsideKnowsSolids) {
         {"cone { -y, 1, y, 0.3 }", "<0.6, 0, 0>"},
         {"torus { 1, 0.3 rotate 90*x }", "1.2*y"},
         {"quadric { <1, 1, 1>, <0.9, 0.7, 0.2>, <0.1, 0.2, 0.3>, -1 }", "<-0.5, 0.3, 0.6>"},
+        {"poly { 2, <1, 0, 0, 0, 1, 0, 0, 1, 0, -1> }", "<0.5, 0.6, 0.6>"},
         {"union { box { 5, 6 } sphere { 0, 1 } }", "0"},
         {"difference { box { -1, 1 } sphere { -z, 0.5 } }", "0"},
         {"intersection { box { -1, 1 } plane { y, 0 } }", "-0.5*y"},

@@ -83,6 +83,15 @@ class RandomScene {
         s.occlusion = occlusion;
     }
     Vec3 point() { return {coordinate(), coordinate(), coordinate()}; }
+    Quartic quartic() {
+        Quartic q;
+        q.coefficients[pick(34)] = 1;
+        for (double& c : q.coefficients) {
+            if (pick(3) == 0) c = coordinate();
+        }
+        if (q.coefficients[3] == 0) q.coefficients[3] = -0.5;
+        return q;
+    }
     Vec3 direction() {
         Vec3 d = point();
         if (d == Vec3{0, 0, 0}) d.y = 1;
@@ -254,6 +263,9 @@ class RandomScene {
                 s.add(Quadric{point(), direction(), pick(2) == 0 ? point() : Vec3{}, coordinate()}, material,
                       transform);
                 break;
+            case ShapeKind::quartic:
+                s.add(quartic(), material, transform);
+                break;
             case ShapeKind::box:
                 s.add(Box{{-1, -0.0, between(-1, 0)}, {between(0, 1), 5e-324, 1}}, material, transform);
                 break;
@@ -306,7 +318,11 @@ class RandomScene {
                     s.add(Box{{-1, -1, -1}, {0, 2, 1}}, own, map);
                     break;
                 case 5:
-                    s.add(Quadric{direction(), point(), point(), coordinate()}, own, map);
+                    if (pick(2) == 0) {
+                        s.add(quartic(), own, map);
+                    } else {
+                        s.add(Quadric{direction(), point(), point(), coordinate()}, own, map);
+                    }
                     break;
                 default:
                     make_solid(s, own, map, depth + 1);

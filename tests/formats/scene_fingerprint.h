@@ -43,6 +43,9 @@ class SceneFingerprint {
     void add(const Cone& c) { add(c.from), add(c.to), add(c.from_radius), add(c.to_radius), add(c.caps); }
     void add(const Disc& d) { add(d.center), add(d.normal), add(d.radius), add(d.hole); }
     void add(const Torus& t) { add(t.center), add(t.axis), add(t.radius), add(t.tube); }
+    void add(const Quartic& q) {
+        for (const double c : q.coefficients) add(c);
+    }
     void add(const Quadric& q) { add(q.squares), add(q.products), add(q.linear), add(q.constant); }
     void add(const Box& c) { add(c.min), add(c.max); }
     void add(const Triangle& t) { add(std::span(t.vertices)); }

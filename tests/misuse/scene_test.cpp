@@ -153,6 +153,8 @@ std::vector<std::function<double&(Scene&)>> numbers() {
     point([=](Scene& s) -> Vec3& { return s.add(Quadric{}), last(s.get<Quadric>()).products; });
     point([=](Scene& s) -> Vec3& { return s.add(Quadric{}), last(s.get<Quadric>()).linear; });
     number([=](Scene& s) -> double& { return s.add(Quadric{}), last(s.get<Quadric>()).constant; });
+    for (std::size_t i = 0; i < std::size(k_quartic_terms); ++i)
+        number([=](Scene& s) -> double& { return s.add(Quartic{}), last(s.get<Quartic>()).coefficients[i]; });
     point([=](Scene& s) -> Vec3& { return s.add(Box{}), last(s.get<Box>()).min; });
     point([=](Scene& s) -> Vec3& { return s.add(Box{}), last(s.get<Box>()).max; });
     for (int i = 0; i < 3; ++i) {

@@ -26,6 +26,7 @@ import output
 import patterns
 import pov
 import quadrics
+import quartics
 import refraction
 import sky
 import solids
@@ -36,7 +37,7 @@ import transparency
 
 SHARE = 0.99
 LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES, output.RULES, dat.RULES, pov.RULES,
-         images.RULES, layers.RULES, averages.RULES, patterns.RULES, quadrics.RULES, refraction.RULES, fading.RULES, solids.RULES, sweeps.RULES,
+         images.RULES, layers.RULES, averages.RULES, patterns.RULES, quadrics.RULES, quartics.RULES, refraction.RULES, fading.RULES, solids.RULES, sweeps.RULES,
          height_fields.RULES, tori.RULES, texts.RULES]
 
 

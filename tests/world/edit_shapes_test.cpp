@@ -100,6 +100,7 @@ void move(Scene& scene, std::uint32_t index, Vec3 by) {
         }
         case ShapeKind::solid:  // solids_test.cpp
         case ShapeKind::quadric:
+        case ShapeKind::quartic:
             return;
     }
 }

@@ -77,6 +77,7 @@ Indices insert(Scene& scene, Random& random, std::size_t count) {
             case ShapeKind::mesh:
             case ShapeKind::solid:  // they are built again: see below
             case ShapeKind::quadric:
+            case ShapeKind::quartic:
                 copy.kind = ShapeKind::sphere;
                 add(Sphere{point_in_cube(random, 10), 0.7});
                 break;

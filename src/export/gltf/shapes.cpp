@@ -172,6 +172,7 @@ ShapeMeshes::Unit ShapeMeshes::unit_of(const Shape& shape) {
         case ShapeKind::polygon:
         case ShapeKind::solid:
         case ShapeKind::quadric:
+        case ShapeKind::quartic:
             break;
     }
     return {};
@@ -226,6 +227,8 @@ void ShapeMeshes::add(std::uint32_t index) {
             return place(index, nullptr, {});
         case ShapeKind::quadric:
             return losses_.add("quadrics", "they are left out");
+        case ShapeKind::quartic:
+            return losses_.add("quartics", "they are left out");
         case ShapeKind::solid:
             return losses_.add("solids, which are combinations of shapes", "they are left out");
         case ShapeKind::triangle:

@@ -114,6 +114,8 @@ class ExtentReader {
                 return of_solid(object);
             case ObjectKind::quadric:
                 return unknown("quadric");
+            case ObjectKind::quartic:
+                return unknown("quartic");
             case ObjectKind::polygon:
                 return unknown("polygon");
             default:

@@ -25,6 +25,7 @@ enum class ObjectKind : std::uint8_t {
     disc,
     torus,
     quadric,
+    quartic,
     triangle,
     smooth_triangle,
     mesh,
@@ -131,6 +132,7 @@ struct Object {
     std::shared_ptr<const Texture> texture;
     std::optional<Affine> texture_map;                   ///< of the texture's images: the transforms after it
     std::shared_ptr<const std::array<Vec3, 3>> normals;  ///< of a smooth triangle
+    std::shared_ptr<const Quartic> quartic;
     std::shared_ptr<const CountedVector<ObjectPart>> parts;
     std::shared_ptr<const ReadMesh> mesh;
     std::shared_ptr<const CountedVector<Vec3>> outline;  ///< of a polygon

@@ -49,6 +49,7 @@ class ObjectParser : public TextureParser {
 
     // shapes.cpp
     Object read_shape(const Token& word);
+    void read_quartic(Object& object);
     void check_shape(Object& object);
 
     // modifiers.cpp

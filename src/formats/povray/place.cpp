@@ -6,6 +6,8 @@
 
 #include "formats/povray/add_shape.h"
 #include "math/number.h"
+#include "math/quadric_bounds.h"
+#include "math/quartic_value.h"
 #include "math/transform.h"
 
 namespace glint::povray {
@@ -20,6 +22,43 @@ bool is_paraboloid(const Object& quadric) {
         if (squares[i] == 0 && linear[i] != 0 && first * second > 0) return true;
     }
     return false;
+}
+
+// Unless the terms of degree 4 are clearly positive, or negative, in all directions.
+bool may_have_no_ends(const Quartic& quartic) {
+    double leading[std::size(k_quartic_terms)] = {}, least = number::k_infinity, most = -number::k_infinity;
+    for (std::size_t i = 0; i < std::size(leading); ++i) {
+        if (quartic_degree(i) == 4) leading[i] = quartic.coefficients[i];
+    }
+    constexpr int k_steps = 4;
+    for (int x = -k_steps; x <= k_steps; ++x) {
+        for (int y = -k_steps; y <= k_steps; ++y) {
+            for (const double z : {-4.0, -3.0, -2.0, -1.0, 0.0}) {  // as at the opposite point
+                if (x == 0 && y == 0 && z == 0) continue;
+                const double value = quartic_value(leading, normalize(Vec3{1.0 * x, 1.0 * y, z}));
+                least = number::min(least, value), most = number::max(most, value);
+            }
+        }
+    }
+    return least * most <= 0 || number::min(number::abs(least), number::abs(most)) <
+                                    0.02 * number::max(number::abs(least), number::abs(most));
+}
+
+// POV-Ray's rays meet it only if they meet what bounds it (measured).
+bool may_leave_bounds(const Object& o) {
+    switch (o.kind) {
+        case ObjectKind::plane:
+            return true;
+        case ObjectKind::quadric: {
+            Vec3 lo, hi;
+            quadric_bounds({o.a, o.b, o.c, o.s}, lo, hi);
+            return hi.x >= k_endless;
+        }
+        case ObjectKind::quartic:
+            return may_have_no_ends(*o.quartic);
+        default:
+            return false;
+    }
 }
 
 }  // namespace
@@ -95,6 +134,7 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
     own.is_uv = object.is_uv || (!object.texture && from.is_uv);
     if (!object.stands_for.empty()) own.uv_source = UvSource::unknown;
     own.is_no_shadow = from.is_no_shadow || object.is_no_shadow;
+    own.is_bounded = from.is_bounded || object.is_bounded;
     if (object.interior) own.interior = object.interior.get();
     if (!own.interior && object.texture) own.interior = object.texture->finish.interior.get();
     if (object.kind != ObjectKind::light) inherit_interior(object, own);
@@ -175,6 +215,11 @@ void SceneBuilder::place_shape(const Object& o, const Inherited& from) {
     const Affine* rest = factor > 0 ? nullptr : map;
     const auto moved = [&](Vec3 p) { return rest ? p : point(p); };
     const double size = rest ? 1 : factor;
+    if (own.is_bounded && !own.in_solid && !own.clips && may_leave_bounds(o)) {
+        stream_.warn_once("bounded_by", o.at,
+                          "POV-Ray draws a shape without ends only where rays meet its bounded_by: the "
+                          "picture may differ");
+    }
     switch (o.kind) {
         case ObjectKind::sphere:
             if (o.r > 0) add(Sphere{moved(o.a), o.r * size}, material, rest, o.at);
@@ -223,6 +268,9 @@ void SceneBuilder::place_shape(const Object& o, const Inherited& from) {
                     "picture may differ");
             }
             add(Quadric{o.a, o.b, o.c, o.s}, material, map, o.at);
+            break;
+        case ObjectKind::quartic:
+            add(*o.quartic, material, map, o.at);
             break;
         case ObjectKind::triangle:
             add(Triangle{{point(o.a), point(o.b), point(o.c)}}, material, nullptr, o.at);

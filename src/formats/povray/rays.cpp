@@ -10,6 +10,7 @@
 #include "formats/povray/scene_builder.h"
 #include "formats/povray/value_parser.h"
 #include "glint/world.h"
+#include "math/quartic_value.h"
 #include "math/transform.h"
 
 namespace glint::povray {
@@ -57,6 +58,9 @@ bool is_inside(const Object& o, Vec3 p) {
             is_in = o.a.x * p.x * p.x + o.a.y * p.y * p.y + o.a.z * p.z * p.z + o.b.x * p.x * p.y +
                         o.b.y * p.x * p.z + o.b.z * p.y * p.z + dot(o.c, p) + o.s <=
                     0;
+            break;
+        case ObjectKind::quartic:
+            is_in = quartic_value(o.quartic->coefficients, p) <= 0;
             break;
         default: {
             bool all = true, any = false;

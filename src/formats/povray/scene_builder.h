@@ -67,6 +67,7 @@ class SceneBuilder {
         std::int32_t body = 0;  // the number of an interior with several shapes
         bool is_union = false;  // these are the parts of a union
         bool in_solid = false;  // it is an operand
+        bool is_bounded = false;
         std::shared_ptr<const CountedVector<PlacedClip>> clips;
     };
 

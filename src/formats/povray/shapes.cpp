@@ -2,6 +2,8 @@
 // Shapes: spheres, boxes, cylinders ...
 #include <fmt/format.h>
 
+#include <vector>
+
 #include "formats/povray/object_parser.h"
 
 namespace glint::povray {
@@ -70,6 +72,11 @@ Object ObjectParser::read_shape(const Token& word) {
             next();
             object.s = number();
             break;
+        case Word::k_cubic:
+        case Word::k_poly:
+        case Word::k_quartic:
+            read_quartic(object);
+            break;
         case Word::k_triangle:
             object.kind = ObjectKind::triangle;
             object.a = vector();
@@ -98,6 +105,47 @@ Object ObjectParser::read_shape(const Token& word) {
     check_shape(object);
     read_modifiers(object);
     return object;
+}
+
+// The coefficients of a cubic, quartic or poly are in the order of Quartic's, without those of higher
+// degrees.
+void ObjectParser::read_quartic(Object& object) {
+    object.kind = ObjectKind::quartic;
+    int order = object.at.word() == Word::k_cubic ? 3 : 4;
+    if (object.at.word() == Word::k_poly) {
+        const Token at = peek();
+        const double number = this->number();
+        if (failed()) return;
+        if (!(number >= 2 && number < 36))
+            return error(at, fmt::format("expected an order from 2 to 35, found {}", number));
+        order = static_cast<int>(number);
+        accept(',');
+    }
+    if (!expect('<')) return;
+    std::vector<double> read;
+    for (int left = (order + 1) * (order + 2) * (order + 3) / 6; !failed() && left > 0; --left) {
+        read.push_back(number());
+        if (left > 1) accept(',');
+    }
+    if (failed() || !expect('>')) return;
+    if (order > 4) return object.missing.add({"poly", "of an order above 4", call_place(object.at), true});
+    auto quartic = make_counted<Quartic>();
+    double* to = quartic->coefficients;
+    std::size_t used = 0;
+    bool is_empty = true;
+    for (int i = 0; i <= 4; ++i) {
+        for (int j = 0; j <= i; ++j) {
+            for (int k = 0; k <= j; ++k, ++to) {  // x^(4 - i) y^(i - j) z^(j - k)
+                if (4 - k > order) continue;
+                *to = read[used++];
+                is_empty = is_empty && (k == 4 || *to == 0);
+            }
+        }
+    }
+    if (is_empty)
+        object.missing.add(
+            {to_string(object.at.word()), "without a coefficient", call_place(object.at), true});
+    object.quartic = std::move(quartic);
 }
 
 // What POV-Ray refuses, and what glint has no shape for.

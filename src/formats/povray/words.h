@@ -26,9 +26,9 @@ namespace glint::povray {
     X(blue) X(color) X(colour) X(filter) X(gray) X(green) X(red) X(rgb) X(rgbf) X(rgbft) X(rgbt) X(srgb) \
     X(srgbf) X(srgbft) X(srgbt) X(transmit)
 #define GLINT_POV_OBJECT_WORDS(X) \
-    X(box) X(cone) X(cylinder) X(difference) X(disc) X(height_field) X(intersection) X(lathe) \
-    X(light_source) X(merge) X(mesh) X(mesh2) X(object) X(plane) X(polygon) X(prism) X(quadric) \
-    X(smooth_triangle) X(sphere) X(sphere_sweep) X(torus) X(triangle) X(union)
+    X(box) X(cone) X(cubic) X(cylinder) X(difference) X(disc) X(height_field) X(intersection) X(lathe) \
+    X(light_source) X(merge) X(mesh) X(mesh2) X(object) X(plane) X(poly) X(polygon) X(prism) X(quadric) \
+    X(quartic) X(smooth_triangle) X(sphere) X(sphere_sweep) X(torus) X(triangle) X(union)
 #define GLINT_POV_MODIFIER_WORDS(X) \
     X(bounded_by) X(clipped_by) X(cutaway_textures) X(double_illuminate) X(finish) X(hierarchy) X(hollow) X(interior) \
     X(interior_texture) X(inverse) X(material) X(matrix) X(no_bump_scale) X(no_image) X(no_radiosity) \

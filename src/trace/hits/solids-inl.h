@@ -37,6 +37,7 @@ struct OperandCrossings {
   private:
     // Not inline: every kernel that tests solids would contain every kind.
     template <class Geometry> HWY_NOINLINE void find() {
+        static_assert(Geometry::k_crossings / 2 <= k_max_intervals);
         Doubles p[Geometry::k_values];
         broadcast_values<Geometry::k_values>(shapes, slot, p);
         find_crossings<Geometry>(p, ray, to);
@@ -127,7 +128,7 @@ class SolidLanes {
 
   private:
     static constexpr std::size_t k_few = 16;
-    static constexpr int k_most = 2;  // crossings of an operand
+    static constexpr int k_most = k_max_intervals;
     static constexpr int k_stride = 2 * lane_count<double>();
 
     void find_all(const RayPacket& packet) {

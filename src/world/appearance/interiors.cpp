@@ -42,7 +42,8 @@ struct CameraOrigins {
 
 // Of a convex shape, all of a rectangle is inside if its corners are.
 bool is_convex(ShapeKind kind) {
-    return kind != ShapeKind::torus && kind != ShapeKind::quadric && kind != ShapeKind::solid;
+    return kind != ShapeKind::torus && kind != ShapeKind::quadric && kind != ShapeKind::quartic &&
+           kind != ShapeKind::solid;
 }
 
 void find_camera_interiors(const WorldParts& parts, Interiors& found) {

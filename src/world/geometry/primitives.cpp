@@ -84,7 +84,9 @@ const AllClassTraits& class_traits() {
     return all;
 }
 
-bool has_solids(const Scene& scene) { return !scene.get<Solid>().empty() || !scene.get<Quadric>().empty(); }
+bool has_solids(const Scene& scene) {
+    return !scene.get<Solid>().empty() || !scene.get<Quadric>().empty() || !scene.get<Quartic>().empty();
+}
 
 bool has_elements(const Scene& scene) {
     return !scene.get<Polygon>().empty() || !scene.get<Mesh>().empty() || has_solids(scene);
@@ -262,7 +264,7 @@ Aabb Primitives::box_of(const Primitive& primitive) const {
     with_parameters(primitive,
                     [&](const auto& parameters, auto geometry) { geometry.bounds(parameters, lo, hi); });
     const std::uint32_t transform = map_of(primitive);
-    if (transform != k_none) {
+    if (transform != k_none && lo.x > -k_endless) {
         const Extent extent = mapped_box(map(transform), lo, hi);
         lo = extent.lo, hi = extent.hi;
     }
