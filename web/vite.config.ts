@@ -52,7 +52,7 @@ function preloadEngine(): Plugin {
 
 export default defineConfig({
     base: './',
-    build: {target: 'es2022', minify: 'terser', terserOptions: {compress: {passes: 3, ecma: 2020, unsafe_arrows: true, keep_fargs: false, pure_getters: true}, format: {comments: false, ecma: 2020}, module: true}, assetsInlineLimit: 0, modulePreload: {polyfill: false}, chunkSizeWarningLimit: 700},
+    build: {target: 'es2022', minify: 'terser', terserOptions: {compress: {passes: 3}, format: {comments: false}}, assetsInlineLimit: 0, modulePreload: {polyfill: false}, chunkSizeWarningLimit: 700},
     worker: {format: 'es'},
     plugins: [offline(), preloadEngine()],
 });
