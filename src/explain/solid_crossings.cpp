@@ -92,7 +92,7 @@ void find_solid_crossings(const Scene& scene, const WorldParts& world, const Ker
                           Explanation& explanation) {
     if (scene.solids.empty()) return;
     for (ExplainedRay& ray : explanation.rays) {
-        // A quadric by itself is packed as a solid, too.
+        // Quadrics and quartics by themselves are packed as solids, too.
         if (ray.hit && scene.shapes[ray.hit->shape].kind == ShapeKind::solid)
             find_crossings_of(*world.geometry, kernels, ray);
     }

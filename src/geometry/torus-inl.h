@@ -58,7 +58,7 @@ struct TorusGeometry : GeometryTraits {
             return closest_approach(of.origin - vector3(p), of.direction, (p[6] + p[7]) * T(1 + 0x1p-16));
         }
         /// Whether there is a root between extrema i and i + 1.
-        HWY_INLINE auto crosses(int i) const { return ball.real && ray.opposite(value[i], value[i + 1]); }
+        HWY_INLINE auto crosses(int i) const { return ball.real && are_opposite(value[i], value[i + 1]); }
         /// The t of the root between s = from and to; inner: the value within the tube.
         HWY_INLINE T root(T from, T to, T inner) const { return ball.b + ball.h * ray.root(from, to, inner); }
     };

@@ -17,6 +17,7 @@
 #endif
 
 #include "geometry/ray-inl.h"
+#include "simd/polynomial-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
@@ -75,8 +76,6 @@ template <class T> struct TorusRay {
         at[3] = select(mirrored, half + reach, u);
     }
 
-    static HWY_INLINE auto opposite(T a, T b) { return (a <= T(0) && b > T(0)) || (a > T(0) && b <= T(0)); }
-
     /// The first i for which a root between at[i] and at[i + 1] may be after start; value: those at `at`. It
     /// leaves out only roots that are clearly before it.
     HWY_INLINE T first_bracket(const T* at, const T* value_at, T start) const {
@@ -86,7 +85,7 @@ template <class T> struct TorusRay {
         const auto is_clear = abs(here) > T(0x1p-36) * (out * out) * (out * out);
         for (int i = 0; i < 4; ++i) {
             const auto is_past = start > at[i + 1] + T(0x1p-40);
-            const auto is_beyond = start > at[i] && is_clear && !opposite(here, value_at[i + 1]);
+            const auto is_beyond = start > at[i] && is_clear && !are_opposite(here, value_at[i + 1]);
             first = select(is_past || is_beyond, T(i + 1), first);
         }
         return first;
