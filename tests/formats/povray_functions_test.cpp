@@ -89,6 +89,19 @@ TEST(PovRayFunctions, WhatIsNoArithmeticIsAnErrorWhereItIsCalled) {
                     "a.pov", "povray");
 }
 
+TEST(PovRayFunctions, IntegersBeyond32BitsAreWarnedOf) {
+    const auto said = [](const std::string& x) {
+        return messages(read_povray("light_source { <0, 0, -9>, rgb 1 } sphere { " + x + " * x, 1 }"));
+    };
+    EXPECT_EQ(said("(div(1e9, .5) - 2e9)"), "");
+    EXPECT_EQ(said("int(-2147483647)"), "");
+    EXPECT_NE(
+        said("(div(1e9, .4) - 2e9)").find("warning: `div` of 2500000000: POV-Ray's integers are within 2^31"),
+        std::string::npos)
+        << said("(div(1e9, .4) - 2e9)");
+    EXPECT_NE(said("int(2147483648)").find("warning: `int`"), std::string::npos);
+}
+
 TEST(PovRayFunctions, BadInputIsNamed) {
     expect_messages({"few",
                      "#declare F = function(a, b) { a }\nsphere { 0, F(1$) }",

@@ -33,6 +33,18 @@ const MeshData& text_mesh(const Scene& scene) {
     return scene.meshes.empty() ? none : *scene.meshes[0];
 }
 
+TEST(PovRayText, CharactersBeyondAsciiNeedACharset) {
+    const auto said = [](const std::string& characters, const std::string& before = {}) {
+        return said_of_text(before + "text { ttf \"tiny.ttf\" " + characters + " 1, 0 }");
+    };
+    EXPECT_NE(said("\"\u00e4\"").find("`text` (of characters beyond ASCII without `charset utf8`)"),
+              std::string::npos)
+        << said("\"\u00e4\"");
+    EXPECT_EQ(said("\"\u00e4\"", "global_settings { charset utf8 } "), "");
+    EXPECT_EQ(said("chr(228)"), "");
+    EXPECT_EQ(said("\"A\""), "");
+}
+
 // Of both caps.
 double cap_area(const Scene& scene) {
     const MeshData& mesh = text_mesh(scene);

@@ -27,6 +27,26 @@ TEST(PovRayMissing, PartsOfAnInteriorAreNamedIfItCanBeSeenInto) {
     EXPECT_NE(said("mesh { triangle { 0, y, x } triangle { 0, x, z } triangle { 0, y, z }" + faded)
                   .find("of a mesh that is open"),
               std::string::npos);
+    const std::string mesh =
+        "mesh { triangle { -8, 8*x-8, 8*y-8 } triangle { -8, 8*x-8, 8*z-8 } triangle { -8, 8*y-8, 8*z-8 } "
+        "triangle { 8*x-8, 8*y-8, 8*z-8 } ";
+    const std::string within = "camera { location -7 look_at -8 } ",
+                      beside = "camera { location 1 look_at 0 } ";
+    EXPECT_NE(said(within + mesh + faded).find("of a mesh around the camera without `inside_vector`"),
+              std::string::npos)
+        << said(within + mesh + faded);
+    EXPECT_EQ(said(within + mesh + "inside_vector y" + faded), "");
+    EXPECT_EQ(said(within + mesh + "inside_vector y pigment { rgbt 1 } }"), "");
+    EXPECT_NE(said(within + mesh + "inside_vector y pigment { rgbt 1 } interior { ior 2 } }")
+                  .find("the camera may be inside"),
+              std::string::npos);
+    EXPECT_EQ(said(within + mesh + "inside_vector 0 pigment { rgbt 1 } interior { ior 2 } }"), "");
+    EXPECT_EQ(said(beside + mesh + faded), "");
+    const std::string balls = "union { sphere { 0, 1 } sphere { ", half = " box { -9, <9, 0, 9> }" + faded;
+    EXPECT_NE(said("intersection { " + balls + "x, 1 } } " + half).find("of a union in a solid whose parts"),
+              std::string::npos);
+    EXPECT_EQ(said("intersection { " + balls + "3*x, 1 } } " + half), "");
+    EXPECT_EQ(said("difference { box { -9, 9 } " + balls + "x, 1 } }" + faded), "");
     EXPECT_NE(said(before + "caustics 1 } }").find("`caustics`"), std::string::npos);
     EXPECT_NE(said(before + "ior 1.2 dispersion 1.1 } }").find("`dispersion`"), std::string::npos);
     const std::string named =
@@ -34,6 +54,22 @@ TEST(PovRayMissing, PartsOfAnInteriorAreNamedIfItCanBeSeenInto) {
         "material { interior { I } } }";
     EXPECT_NE(said(named).find("`media`"), std::string::npos);
     EXPECT_EQ(said("sphere { 0, 1 pigment { rgb 1 } interior { media { emission 1 } ior 1.5 } }"), "");
+}
+
+TEST(PovRayMissing, AMaterialAddsToTheInteriorBeforeIt) {
+    const auto inside = [](const std::string& items) {
+        const Scene scene = povray_scene(
+            "#declare M = material { texture { pigment { rgbt 1 } } };\n"
+            "sphere { 0, 1 pigment { rgbt 1 } interior { ior 1.5 fade_distance 2 } " +
+            items + " }");
+        const Material& m = scene.materials.at(0);
+        return std::pair(m.refracts ? m.ior : 1, m.fade_distance);
+    };
+    EXPECT_EQ(inside("material { interior { ior 1.2 } }"), std::pair(1.2, 2.0));
+    EXPECT_EQ(inside("material { texture { pigment { rgbt 1 } } }"), std::pair(1.5, 2.0));
+    EXPECT_EQ(inside("material { M }"), std::pair(1.0, 0.0));
+    EXPECT_EQ(inside("material { M interior { ior 1.3 } }"), std::pair(1.3, 0.0));
+    EXPECT_EQ(inside("interior { fade_distance 9e-11 }"), std::pair(1.5, 0.0));
 }
 
 TEST(PovRayMissing, TinyScenesAreNamed) {
@@ -123,6 +159,11 @@ TEST(PovRayMissing, RefractionOfThreeObjectsWithinEachOther) {
     const std::string fog = "fog { distance 9 color rgb 1 } ";
     EXPECT_EQ(said(fog + "sphere { 0, 1 " + glass), "");
     EXPECT_EQ(said(fog + "sphere { 0, 1 hollow " + glass), "");
+    // The last `ior` of a finish is that of the whole object.
+    const Scene balls = povray_scene(
+        "union { sphere { 0, 1 finish { ior 1.2 } } sphere { x, 1 finish { ior 1.4 } } sphere { y, 1 } "
+        "pigment { rgbt 1 } }");
+    for (const Shape& shape : balls.shapes) EXPECT_EQ(balls.materials.at(shape.material).ior, 1.4);
     EXPECT_NE(said(fog + "box { 0, 1 " + glass + "sphere { 0, 1 hollow " + glass).find("hollow objects"),
               std::string::npos);
     EXPECT_NE(said("sphere { 0, 1 pigment { rgbt 1 } interior { ior 0 } }").find("`ior` (of 0 or less)"),

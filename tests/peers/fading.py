@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Light that is lost in transparent objects: fade_distance, fade_power and fade_color of an interior."""
 from pov import CAMERA, LIGHT, rule
-from refraction import BALL, BOX, HEAD, MESH, ROOM
+from refraction import BALL, BOX, HEAD, ROOM, SHAPES
 
 AMBER = "fade_distance 0.6 fade_power 1 fade_color <0.9, 0.5, 0.1>"
 
@@ -20,6 +20,9 @@ RULES = [
       for power in (0, 0.5, 1, 2, 3, 999, 1000, 1500)],
     fading("exponential_color", BALL + clear("fade_distance 0.8 fade_power 1001 fade_color <0.9, 0.5, 0.1>") + "}"),
     fading("two_interiors", BALL + clear("ior 1.3") + "interior { " + AMBER + " } }"),
+    fading("material_after", BALL + "interior { ior 1.5 " + AMBER + " } material { texture { pigment { rgbf 1 } finish { ambient 0 diffuse 0 } } interior { ior 1.2 } } }"),
+    fading("named_material_after", "#declare M = material { texture { pigment { rgbf 1 } finish { ambient 0 diffuse 0 } } };\n" + BALL + "interior { ior 1.5 " + AMBER + " } material { M } }"),
+    *[fading(f"least_distance_{i}", BALL + clear(f"ior 1.2 fade_distance {d} fade_power 1") + "}") for i, d in enumerate((1e-10, 9.9e-11))],
     fading("pattern_inside", BALL + GLASS + "} sphere { <0.1, 1, 0>, 0.5 pigment { checker rgbt <1, 0.3, 0.2, 0.6> rgbt <0.2, 0.3, 1, 0.8> scale 0.3 } finish { ambient 0.2 diffuse 0.4 } }"),
     fading("without_power", BALL + clear("fade_distance 0.8") + "}"),
     fading("without_distance", BALL + clear("fade_power 2") + "}"),
@@ -29,24 +32,15 @@ RULES = [
     fading("filter", BALL + clear(AMBER, "rgbft <0.6, 0.9, 0.7, 0.6, 0.2>") + "}"),
     fading("mirror", BALL + clear(AMBER, "rgbt <1, 1, 1, 0.8>", "ambient 0 diffuse 0.1 reflection 0.3") + "}"),
     fading("sphere", BALL + GLASS + "}"),
-    fading("box", BOX + GLASS + "rotate 30*y }"),
+    *[fading(name, before + GLASS + after) for name, (before, after) in SHAPES.items()],
     fading("total_reflection", BOX + clear("ior 2 " + AMBER) + "rotate 30*y }"),
-    fading("cylinder", "cylinder { <-1, 1, 0>, <1, 1, 0>, 0.7 " + GLASS + "rotate 40*y }"),
-    fading("cone", "cone { <0, 0.01, 0>, 1, <0, 2, 0>, 0.2 " + GLASS + "}"),
-    fading("torus", "torus { 0.8, 0.35 " + GLASS + "rotate -40*x translate 0.9*y }"),
-    fading("quadric", "quadric { <1, 1, 2>, <0, 0, 0>, <0, 0, 0>, -0.6 " + GLASS + "translate y }"),
-    fading("sphere_sweep", "sphere_sweep { linear_spline 3, <-0.8, 0.5, 0>, 0.3, <0, 1.3, 0>, 0.4, <0.8, 0.6, 0>, 0.2 " + GLASS + "}"),
-    fading("prism", "prism { linear_spline 0, 1.5, 5, <-1, -1>, <1, -1>, <1, 1>, <-1, 0.5>, <-1, -1> " + GLASS + "rotate 20*y scale 0.8 translate 0.1*y }"),
     fading("prism_other_way", "prism { linear_spline 0, 1.5, 5, <-1, -1>, <-1, 0.5>, <1, 1>, <1, -1>, <-1, -1> " + GLASS + "rotate 20*y scale 0.8 translate 0.1*y }"),
     fading("lathe", "lathe { linear_spline 5, <0, 0.1>, <0.9, 0.3>, <0.5, 1>, <0.7, 1.7>, <0, 1.8> " + GLASS + "}"),
-    fading("mesh", "mesh { " + MESH + GLASS + "rotate 20*y }"),
     fading("plane", "plane { y, 0.5 " + clear("ior 1.33 " + AMBER, "rgbf <0.9, 0.95, 1, 0.95>") + "}"),
     fading("ball_in_water", "plane { y, 0.5 " + clear("ior 1.33 fade_distance 2 fade_power 1000") + "} sphere { <0, 0.6, -1>, 0.5 " + GLASS + "}"),
     fading("opaque_inside", BALL + GLASS + "} sphere { <0.2, 1, 0>, 0.4 pigment { rgb <0.3, 0.5, 0.9> } finish { ambient 0.3 diffuse 0.6 } }"),
-    fading("difference", "difference { " + BALL + "} cylinder { <0, 1, -3>, <0, 1, 3>, 0.4 } " + GLASS + "rotate 25*y }"),
     fading("clipped", BALL + "clipped_by { plane { y, 1.3 } } " + GLASS + "}"),
     fading("union_apart", "union { sphere { <-0.8, 1, 0>, 0.7 } sphere { <0.8, 1, 0>, 0.6 } " + GLASS + "}"),
-    fading("merge", "merge { sphere { <-0.3, 1, 0>, 0.7 } sphere { <0.4, 1, 0>, 0.6 } " + GLASS + "}"),
     fading("nested", BALL + GLASS + "} sphere { <0.1, 1, 0>, 0.5 " + clear("ior 1.1 fade_distance 0.3 fade_power 2") + "}"),
     fading("overlapping", "sphere { <-0.3, 1, 0>, 0.7 " + GLASS + "} sphere { <0.4, 1, 0>, 0.6 " + clear() + "}"),
     fading("camera_inside", "sphere { <0, 1.5, -5>, 2.2 " + clear("fade_distance 3 fade_power 1") + "}"),

@@ -18,6 +18,27 @@ MESH = "".join(f"triangle {{ {a}, {b}, {c} }} " for a, b, c in (
     ("<1, 0.1, -0.5>", "<0, 0.1, 1>", "<0, 1.8, 0>"), ("<-1, 0.1, -0.5>", "<0, 0.1, 1>", "<1, 0.1, -0.5>")))
 BALL, BOX = "sphere { <0, 1, 0>, 0.9 ", "box { <-0.9, 0.1, -0.6>, <0.9, 1.6, 0.6> "
 
+# Closed shapes: what is before their material, and after it.
+SHAPES = {
+    "box": (BOX, "rotate 30*y }"),
+    "cylinder": ("cylinder { <-1, 1, 0>, <1, 1, 0>, 0.7 ", "rotate 40*y }"),
+    "cone": ("cone { <0, 0.01, 0>, 1, <0, 2, 0>, 0.2 ", "}"),
+    "torus": ("torus { 0.8, 0.35 ", "rotate -40*x translate 0.9*y }"),
+    "quadric": ("quadric { <1, 1, 2>, <0, 0, 0>, <0, 0, 0>, -0.6 ", "translate y }"),
+    "sphere_sweep": ("sphere_sweep { linear_spline 3, <-0.8, 0.5, 0>, 0.3, <0, 1.3, 0>, 0.4, <0.8, 0.6, 0>, 0.2 ", "}"),
+    "prism": ("prism { linear_spline 0, 1.5, 5, <-1, -1>, <1, -1>, <1, 1>, <-1, 0.5>, <-1, -1> ", "rotate 20*y scale 0.8 translate 0.1*y }"),
+    "mesh": ("mesh { " + MESH, "rotate 20*y }"),
+    "difference": ("difference { " + BALL + "} cylinder { <0, 1, -3>, <0, 1, 3>, 0.4 } ", "rotate 25*y }"),
+    "merge": ("merge { sphere { <-0.3, 1, 0>, 0.7 } sphere { <0.4, 1, 0>, 0.6 } ", "}"),
+}
+
+
+def balls(first, second, inside=""):
+    """A union of two, with these items of their finishes, and those of an interior of the second."""
+    def ball(x, finish, interior):
+        return f"sphere {{ <{x}, 1, 0>, 0.7 pigment {{ rgbf 0.9 }} finish {{ ambient 0 diffuse 0 {finish} }} {interior} }} "
+    return "union { " + ball(-0.8, first, "") + ball(0.8, second, inside and f"interior {{ {inside} }}") + "}"
+
 
 def refraction(name, objects, head=HEAD):
     return rule("refraction_" + name, ROOM + objects, head=head + CAMERA + LIGHT)
@@ -28,26 +49,20 @@ RULES = [
     refraction("two_levels", BALL + GREEN + "}", HEAD.replace("12", "2")),
     refraction("own_light", BALL + glass("<0.6, 0.9, 0.7, 0.6>", 1.3, "rgbt", "finish { ambient 0.1 diffuse 0.6 phong 0.5 }") + "}"),
     refraction("mirror", BALL + glass("<0.9, 0.9, 1, 0.9>", 1.5, "rgbf", "finish { ambient 0 diffuse 0.1 reflection 0.2 phong 0.5 }") + "}"),
-    refraction("box", BOX + GREEN + "rotate 30*y }"),
+    *[refraction(name, before + (VIOLET if name in ("cylinder", "cone", "torus") else GREEN) + after)
+      for name, (before, after) in SHAPES.items()],
     refraction("bubble", BOX + glass("<0.8, 0.9, 0.9, 0.9>", 0.8) + "rotate 30*y }"),
     refraction("mirror_box", BOX + glass("<0.8, 0.9, 0.9, 0.7>", 1.2, "rgbf", "finish { ambient 0 diffuse 0.2 reflection 0.2 }") + "rotate 30*y }"),
-    refraction("cylinder", "cylinder { <-1, 1, 0>, <1, 1, 0>, 0.7 " + VIOLET + "rotate 40*y }"),
-    refraction("cone", "cone { <0, 0.01, 0>, 1, <0, 2, 0>, 0.2 " + VIOLET + "}"),
-    refraction("torus", "torus { 0.8, 0.35 " + VIOLET + "rotate -40*x translate 0.9*y }"),
-    refraction("quadric", "quadric { <1, 1, 2>, <0, 0, 0>, <0, 0, 0>, -0.6 " + GREEN + "translate y }"),
-    refraction("sphere_sweep", "sphere_sweep { linear_spline 3, <-0.8, 0.5, 0>, 0.3, <0, 1.3, 0>, 0.4, <0.8, 0.6, 0>, 0.2 " + GREEN + "}"),
-    refraction("prism", "prism { linear_spline 0, 1.5, 5, <-1, -1>, <1, -1>, <1, 1>, <-1, 0.5>, <-1, -1> " + GREEN + "rotate 20*y scale 0.8 translate 0.1*y }"),
-    refraction("mesh", "mesh { " + MESH + GREEN + "rotate 20*y }"),
     refraction("disc", "disc { <0, 1, 0>, <0, 0.3, -1>, 0.8 " + VIOLET + "}"),
     refraction("triangle", "triangle { <-1, 0.1, -0.5>, <1, 0.1, -0.5>, <0, 1.8, 0> " + VIOLET + "}"),
     refraction("plane", "plane { y, 0.5 " + glass("<0.8, 0.9, 0.95, 0.9>", 1.33) + "}"),
     refraction("ball_in_water", "plane { y, 0.5 " + glass("<0.8, 0.9, 0.95, 0.9>", 1.33) + "} sphere { <0, 0.6, -1>, 0.5 " + PINK + "}"),
-    refraction("difference", "difference { " + BALL + "} cylinder { <0, 1, -3>, <0, 1, 3>, 0.4 } " + GREEN + "rotate 25*y }"),
     refraction("half", "intersection { plane { y, 1.2 } " + BALL + "} " + GREEN + "}"),
     refraction("clipped", BALL + "clipped_by { plane { y, 1.3 } } " + GREEN + "}"),
     refraction("inverse", BALL + "inverse " + GREEN + "}"),
     refraction("union", "union { sphere { <-0.3, 1, 0>, 0.7 } sphere { <0.4, 1, 0>, 0.6 } " + GREEN + "}"),
-    refraction("merge", "merge { sphere { <-0.3, 1, 0>, 0.7 } sphere { <0.4, 1, 0>, 0.6 } " + GREEN + "}"),
+    *[refraction(f"finish_{i}", balls(*items))
+      for i, items in enumerate((("ior 1.4", ""), ("", "ior 1.4"), ("ior 1.2", "ior 1.4"), ("ior 1.4", "", "ior 1.2")))],
     refraction("nested", BALL + PINK + "} sphere { <0.1, 1, 0>, 0.5 " + WATER + "}"),
     refraction("air_inside", BALL + PINK + "} sphere { <0.1, 1, 0>, 0.5 " + AIR + "}"),
     refraction("overlapping", "sphere { <-0.3, 1, 0>, 0.7 " + PINK + "} sphere { <0.4, 1, 0>, 0.6 " + WATER + "}"),

@@ -101,9 +101,11 @@ Opaque TextureParser::read_interior(const Token& at, const Opaque* before) {
     return out;
 }
 
-// { [identifier] texture interior transforms }
-MaterialValue TextureParser::read_material() {
+// { [identifier] texture interior transforms }; the interior is added to one before it, an identifier
+// replaces that. (Measured)
+MaterialValue TextureParser::read_material(std::shared_ptr<const Opaque> before) {
     MaterialValue material;
+    material.interior = std::move(before);
     const Deeper deeper(*this);
     if (!deeper.ok || !expect('{')) return material;
     while (!failed() && !accept('}')) {

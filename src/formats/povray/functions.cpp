@@ -50,6 +50,15 @@ Vec3 rotate_about(Vec3 p, Vec3 axis, double radians) {
 
 }  // namespace
 
+// Without its fraction. POV-Ray's has 32 bits.
+double ValueParser::integer(const Token& name, double x) {
+    if (!(number::abs(x) < 0x1p31))
+        warn_once("integer", name,
+                  fmt::format("`{}` of {}: POV-Ray's integers are within 2^31, and the picture may differ",
+                              text_of(name), x));
+    return truncate(x) + 0.0;
+}
+
 std::optional<double> ValueParser::declared_number(std::string_view wanted) const {
     std::optional<double> number;
     for (const auto& [name, value] : reading().options.declared) {
@@ -193,7 +202,7 @@ Numbers ValueParser::call(const Token& name) {
         case Word::k_floor:
             return floor_of(number());
         case Word::k_int:
-            return truncate(number());
+            return integer(name, number());
         case Word::k_degrees:
             return number() * (180 / k_pi);
         case Word::k_radians:
@@ -232,7 +241,7 @@ Numbers ValueParser::call(const Token& name) {
                 error(name, "expected a divisor other than 0");
                 return {};
             }
-            return name.word() == Word::k_div ? truncate(a / b) + 0.0 : remainder(a, b);
+            return name.word() == Word::k_div ? integer(name, a / b) : remainder(a, b);
         }
         case Word::k_min:
         case Word::k_max: {

@@ -213,6 +213,9 @@ Object ObjectParser::read_text(const Token& word) {
     accept(',');
     const Vec3 offset = vector();
     if (failed()) return object;
+    const Missing without_charset{"text", "of characters beyond ASCII without `charset utf8`",
+                                  call_place(word)};
+    const bool are_spaces = has_text_beyond_ascii_ && !is_utf8_ && is_beyond_ascii(*characters);
     auto mesh = make_counted<ReadMesh>();
     object.mesh = mesh;
     const std::string name(*file);
@@ -223,6 +226,7 @@ Object ObjectParser::read_text(const Token& word) {
     if (const auto known = text_meshes_->meshes.find(key); known != text_meshes_->meshes.end()) {
         object.mesh = known->second;
         spend(characters->size());
+        if (are_spaces) object.missing.add(without_charset);
         read_modifiers(object);
         return object;
     }
@@ -268,6 +272,7 @@ Object ObjectParser::read_text(const Token& word) {
         pen = {pen.x + glyph.advance / em + offset.x, pen.y + offset.y};
     }
     if (object.missing.empty()) text_meshes_->meshes.emplace(key, mesh);
+    if (are_spaces) object.missing.add(without_charset);
     read_modifiers(object);
     return object;
 }

@@ -12,6 +12,16 @@
 
 namespace glint::povray {
 
+// `ior` in a finish counts for the whole object and its parts, the last one of the text. (Measured)
+const Opaque* SceneBuilder::finish_interior_of(const Object& object) {
+    if (object.texture && object.texture->finish.interior) return object.texture->finish.interior.get();
+    if (!object.parts) return nullptr;
+    for (auto part = object.parts->rbegin(); part != object.parts->rend(); ++part) {
+        if (const Opaque* found = finish_interior_of(**part)) return found;
+    }
+    return nullptr;
+}
+
 // An object without an interior of its own has that of the group around it, with its `hollow`. The outermost
 // `hollow` counts. (Measured)
 void SceneBuilder::inherit_interior(const Object& object, Inherited& own) {
@@ -39,21 +49,26 @@ void SceneBuilder::note_interior(std::size_t first, const Inherited& own) {
     interiors_.push_back({first, end, own.body, own.is_hollow, own.is_union});
 }
 
-// Warns of what is around the camera and has an inside in POV-Ray, but not here.
-void SceneBuilder::check_camera_inside() {
+// Whether the camera is within its box.
+bool SceneBuilder::is_around_camera(const ShapesWithInside& object) const {
     const Camera& camera = scene_.camera;
     const bool is_flat = camera.frame && camera.projection == Projection::orthographic;
     const double room = is_flat ? (length(camera.frame->right) + length(camera.frame->up)) / 2 : 0;
+    const auto is_beside = [&](Vec3 d) {
+        double most = -k_endless;
+        for (std::size_t i = object.first; i < object.end; ++i)
+            most = std::max(most, reach(scene_, scene_.shapes[i], d).value_or(k_endless));
+        return most <= dot(d, camera.position) - room;
+    };
+    const Vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    return std::none_of(std::begin(axes), std::end(axes),
+                        [&](Vec3 d) { return is_beside(d) || is_beside(-d); });
+}
+
+// Warns of what is around the camera and has an inside in POV-Ray, but not here.
+void SceneBuilder::check_camera_inside() {
     for (const ShapesWithInside& object : with_inside_) {
-        const auto is_beside = [&](Vec3 d) {
-            double most = -k_endless;
-            for (std::size_t i = object.first; i < object.end; ++i)
-                most = std::max(most, reach(scene_, scene_.shapes[i], d).value_or(k_endless));
-            return most <= dot(d, camera.position) - room;
-        };
-        const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
-        if (is_beside(x) || is_beside(y) || is_beside(z) || is_beside(-x) || is_beside(-y) || is_beside(-z))
-            continue;
+        if (!is_around_camera(object)) continue;
         return stream_.warn_once("camera inside", object.at,
                                  scene_.fog
                                      ? "the camera may be inside of this object, where POV-Ray has no fog: "
@@ -65,8 +80,10 @@ void SceneBuilder::check_camera_inside() {
 
 void SceneBuilder::note_inside(const Object& object, const Inherited& own, std::size_t first) {
     const bool is_inverse = object.is_inverse && !own.in_solid && !own.is_hollow;
-    const bool is_mesh = !object.stands_for.empty() && object.stands_for != "polygon" &&
-                         object.stands_for != "height_field" && !(scene_.fog && own.is_hollow);
+    const bool has_inside = object.stands_for.empty()
+                                ? object.mesh && object.mesh->has_inside
+                                : object.stands_for != "polygon" && object.stands_for != "height_field";
+    const bool is_mesh = has_inside && !(scene_.fog && own.is_hollow);
     if (is_inverse || is_mesh) with_inside_.push_back({first, scene_.shapes.size(), object.at});
 }
 

@@ -79,7 +79,8 @@ bool has_warnings(const Texture& texture) {
 }
 
 Fade SceneBuilder::fade_of(const Inherited& own) {
-    if (!own.interior || !(own.interior->fade.distance > 0)) return {};
+    // Measured: light does not fade by shorter distances.
+    if (!own.interior || !(own.interior->fade.distance >= 1e-10)) return {};
     Fade fade = own.interior->fade;
     fade.distance = std::min(fade.distance, k_not_negative.max);
     fade.power = std::clamp(fade.power, 0.0, k_not_negative.max);
@@ -184,7 +185,7 @@ void SceneBuilder::report_texture(const Inherited& own, const Token& at) {
         check(fade.distance < 0 || fade.power < 0, "fade_distance, fade_power", "below 0");
     }
     if (ior_of(own) != 1) refracts_at_ = stream_.call_place(at);
-    check(is_transparent && f.interior && f.interior->ior != 1 && own.interior != f.interior.get(), "ior",
+    check(is_transparent && f.interior && f.interior->ior != 1 && own.interior != own.finish_interior, "ior",
           "of a finish beside an interior");
     check(is_transparent && f.has_no_refraction, "refraction", "of 0");
     check(is_transparent && own.is_merge, "merge", "of transparent surfaces");

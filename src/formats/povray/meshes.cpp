@@ -29,7 +29,7 @@ Object ObjectParser::read_mesh(const Token& word) {
     auto mesh = make_counted<ReadMesh>();
     while (!failed()) {
         if (accept(Word::k_inside_vector)) {
-            vector();
+            mesh->has_inside = !(vector() == Vec3{});
         } else if (peek().word() == Word::k_triangle || peek().word() == Word::k_smooth_triangle) {
             read_mesh_triangle(*mesh);
         } else {
@@ -120,7 +120,7 @@ Object ObjectParser::read_mesh2(const Token& word) {
                 break;
             case Word::k_inside_vector:
                 take();
-                vector();
+                mesh->has_inside = !(vector() == Vec3{});
                 break;
             default:
                 is_part = false;

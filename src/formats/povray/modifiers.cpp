@@ -53,11 +53,11 @@ bool ObjectParser::read_modifier(Object& object) {
             return true;
         case Word::k_material: {
             take();
-            const MaterialValue material = read_material();
+            const MaterialValue material = read_material(object.interior);
             if (material.texture) {
                 add_layer(object, *material.texture);
             }
-            if (material.interior) object.interior = material.interior;
+            object.interior = material.interior;
             for (const Missing& of : material.missing) object.missing.add(of);
             return true;
         }

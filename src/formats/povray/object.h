@@ -48,6 +48,7 @@ struct ReadMesh {
     CountedVector<Float3> uv;                   ///< `uv_vectors`; z is 0
     CountedVector<TriangleCorners> uv_corners;  ///< likewise
     CountedVector<std::shared_ptr<const Texture>> textures;
+    bool has_inside = false;  ///< a ray that begins in it is inside: by `inside_vector`
     /// The first vertex beyond what glint renders, as the text has it, and its number.
     std::optional<std::pair<std::size_t, Vec3>> far;
 

@@ -111,6 +111,7 @@ void SceneBuilder::place(const Object& object, const Texture& default_texture) {
     }
     Inherited outer;
     outer.texture = &default_texture;
+    outer.finish_interior = finish_interior_of(object);
     place(object, outer);
 }
 
@@ -136,7 +137,7 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
     own.is_no_shadow = from.is_no_shadow || object.is_no_shadow;
     own.is_bounded = from.is_bounded || object.is_bounded;
     if (object.interior) own.interior = object.interior.get();
-    if (!own.interior && object.texture) own.interior = object.texture->finish.interior.get();
+    if (!own.interior) own.interior = own.finish_interior;
     if (object.kind != ObjectKind::light) inherit_interior(object, own);
     if (from.in_solid && object.interior && object.interior->ior != 1)
         report({"ior", "of a part of a solid", stream_.call_place(object.at)});

@@ -55,7 +55,10 @@ void SceneBuilder::place_mesh(const Object& o, const Inherited& own) {
     }
     Object facing = o;
     facing.mesh = known.turned;
+    const std::size_t first = scene_.shapes.size();
     place_faces(facing, own);
+    if (o.stands_for.empty() && !o.mesh->has_inside)
+        fading_meshes_.push_back({first, scene_.shapes.size(), o.at});
 }
 
 void SceneBuilder::place_faces(const Object& o, const Inherited& own) {

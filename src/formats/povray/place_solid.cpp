@@ -8,6 +8,7 @@
 
 #include "formats/povray/clip.h"
 #include "formats/povray/object_parser.h"
+#include "formats/povray/reach.h"
 #include "formats/povray/scene_builder.h"
 #include "math/transform.h"
 #include "scene/validate_solid.h"
@@ -70,6 +71,19 @@ bool has_clips(const Object& object) {
     if (!object.clips.empty()) return true;
     return has_parts(object) && std::any_of(object.parts->begin(), object.parts->end(),
                                             [](const ObjectPart& part) { return has_clips(*part); });
+}
+
+// Whether some of the shapes from `first` on may overlap.
+bool have_overlap(const Scene& scene, std::size_t first) {
+    constexpr std::size_t k_most = 1000;
+    const std::size_t end = scene.shapes.size();
+    if (end - first > k_most) return true;
+    for (std::size_t i = first; i < end; ++i) {
+        for (std::size_t k = i + 1; k < end; ++k) {
+            if (!are_apart(scene, scene.shapes[i], scene.shapes[k])) return true;
+        }
+    }
+    return false;
 }
 
 }  // namespace
@@ -216,12 +230,18 @@ void SceneBuilder::place_parts(const Object& object, const Inherited& own) {
             parts.texture = object.parts->front()->texture.get();
             parts.texture_map = own.map;
         }
+        parts.is_cut_out =
+            own.is_cut_out || (is_solid && object.operation == SolidOperation::difference && i > 0);
         place(part, parts);
         const bool decides = is_solid && (i == 0 || object.operation == SolidOperation::intersection);
         if (decides) is_empty |= scene_.shapes.size() == before;
     }
     if (stream_.failed() || scene_.shapes.size() == first) return;
     if (!makes_solid) return;
+    const bool is_union = !is_solid && !object.is_merge && object.stands_for.empty();
+    if (is_union && own.in_solid && !own.is_cut_out && fade_of(own).distance > 0 &&
+        have_overlap(scene_, first))
+        overlapping_operands_ = stream_.call_place(object.at);
     if (is_empty) {
         scene_.shapes.resize(first);
         scene_.shape_texts.places.resize(first);

@@ -113,6 +113,15 @@ void SceneBuilder::check_fading() {
         report({"fade_distance", "of an open shape", *fades_at_});
         break;
     }
+    // Measured: it fades only after a ray has entered the mesh.
+    for (const ShapesWithInside& mesh : fading_meshes_) {
+        if (!is_around_camera(mesh)) continue;
+        report({"fade_distance", "of a mesh around the camera without `inside_vector`",
+                stream_.call_place(mesh.at)});
+        break;
+    }
+    if (overlapping_operands_)
+        report({"fade_distance", "of a union in a solid whose parts overlap", *overlapping_operands_});
     std::uint64_t tests = 0;
     for (auto a = interiors_.begin(); a != interiors_.end(); ++a) {
         if (!a->is_union) continue;

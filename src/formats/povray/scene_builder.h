@@ -60,6 +60,7 @@ class SceneBuilder {
         UvSource uv_source = UvSource::plane;
         const Affine* sphere = nullptr;  // of UvSource::sphere: the place of one of radius 1
         const Opaque* interior = nullptr;
+        const Opaque* finish_interior = nullptr;  // of the outermost object
         bool is_no_shadow = false, is_merge = false;
         // Of the interior: that of the whole object, or of a part that has its own.
         std::optional<bool> hollow;  // the outermost `hollow`
@@ -67,6 +68,7 @@ class SceneBuilder {
         std::int32_t body = 0;  // the number of an interior with several shapes
         bool is_union = false;  // these are the parts of a union
         bool in_solid = false;  // it is an operand
+        bool is_cut_out = false;
         bool is_bounded = false;
         std::shared_ptr<const CountedVector<PlacedClip>> clips;
     };
@@ -139,16 +141,18 @@ class SceneBuilder {
         std::int32_t body = 0;
         bool is_hollow = false, is_union = false;
     };
+    static const Opaque* finish_interior_of(const Object& object);
     void inherit_interior(const Object& object, Inherited& own);
     void note_interior(std::size_t first, const Inherited& own);
     void use_interiors();
     void note_inside(const Object& object, const Inherited& own, std::size_t first);
     void check_camera_inside();
-    // A prism or lathe that is not hollow.
+    // A prism, a lathe or a mesh, which glint has no inside of, or a mesh whose light fades in it.
     struct ShapesWithInside {
         std::size_t first = 0, end = 0;
         Token at;
     };
+    bool is_around_camera(const ShapesWithInside& object) const;
 
     // parallel.cpp, refraction.cpp, tiny.cpp, finish.cpp: of the whole scene
     struct ParallelLight {
@@ -211,7 +215,8 @@ class SceneBuilder {
     std::optional<Token> no_reflection_;      // the first object with it
     CountedVector<UncutShape> clips_;
     CountedVector<ShapeInteriors> interiors_;  // in the order of the shapes
-    CountedVector<ShapesWithInside> with_inside_;
+    CountedVector<ShapesWithInside> with_inside_, fading_meshes_;
+    std::optional<Token> overlapping_operands_;  // of the last union in a solid that has such
     std::int32_t bodies_ = 0;
     // The last object that refracts, and that is hollow, too, and the last one that fades light.
     std::optional<Token> refracts_at_, hollow_at_, fades_at_;

@@ -46,9 +46,11 @@ void Reader::read_global_settings() {
             case Word::k_hf_gray_16:
                 flag();
                 break;
-            case Word::k_charset:
-                take();
+            case Word::k_charset: {
+                const Token charset = take();
+                is_utf8_ = charset.kind == TokenKind::word && text_of(charset) == "utf8";
                 break;
+            }
             case Word::k_max_intersections:
             case Word::k_mm_per_unit:
             case Word::k_noise_generator:

@@ -55,6 +55,7 @@ String ValueParser::string() {
     if (token.kind == TokenKind::string) {
         const std::string_view text = text_of(token);
         spend(text.size());
+        has_text_beyond_ascii_ |= is_beyond_ascii(text);
         return text.size() > k_max_string ? empty : make_counted<const CountedString>(string_value(text));
     }
     if (!Names::is_reserved(token.name)) {
@@ -128,6 +129,10 @@ CountedString ValueParser::string_function(Word word) {
             while (!failed() && accept(',')) string();
             return {};
     }
+}
+
+bool ValueParser::is_beyond_ascii(std::string_view text) {
+    return std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) > 127; });
 }
 
 // As std::string::compare().

@@ -73,7 +73,7 @@ class TextureParser : public ValueParser {
     Texture read_texture();
     void read_pigment(Pigment& pigment);
     void read_finish(Finish& finish);
-    MaterialValue read_material();
+    MaterialValue read_material(std::shared_ptr<const Opaque> before = nullptr);
     std::shared_ptr<const Texture> layered(const std::shared_ptr<const Texture>& below, Texture top);
     void transform_image(Pigment& pigment, const std::optional<Affine>& step);
     void transform_below(Texture& texture, const std::optional<Affine>& step);

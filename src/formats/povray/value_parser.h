@@ -61,6 +61,13 @@ class ValueParser : public TokenStream {
     std::optional<double> gamma_;
     bool is_gamma_srgb_ = false;
 
+    /// Whether a string of the text, not of chr() and the like, has characters beyond ASCII.
+    bool has_text_beyond_ascii_ = false;
+    /// `charset utf8`: else, POV-Ray draws these as spaces. (Measured)
+    bool is_utf8_ = false;
+
+    static bool is_beyond_ascii(std::string_view text);
+
   private:
     /// A value that begins with `first`, the next token, and is none of these: an object, a texture ...
     /// Unset, and nothing is read, if no value begins here.
@@ -86,6 +93,7 @@ class ValueParser : public TokenStream {
     // functions.cpp
     Numbers function(const Token& name);
     double argument();
+    double integer(const Token& name, double x);
     Vec3 vector_argument();
     Numbers call(const Token& name);
     Numbers array_size(const Token& name);
