@@ -68,26 +68,42 @@ template <class Item> std::string_view kind_of(const std::optional<Item>& item) 
 }
 std::string_view kind_of(const std::optional<Occlusion>& item) { return item ? to_string(item->method) : ""; }
 
+/// Of a field of any item: what describes it.
+struct AnyField {
+    std::string_view name, key, other_key, label, description, type;
+    bool required;
+    std::span<const std::string_view> words;
+    const Range* range;
+};
+Json any_field_json(const AnyField& field, Json value) {
+    Json keys = {field.key};
+    if (!field.other_key.empty()) keys.push_back(field.other_key);
+    Json json = {{"name", field.name},         {"keys", std::move(keys)},
+                 {"label", field.label},       {"description", field.description},
+                 {"required", field.required}, {"default", std::move(value)},
+                 {"type", field.type}};
+    if (!field.words.empty()) json["words"] = field.words;
+    if (field.range != nullptr) {
+        json["min"] = field.range->min;
+        json["max"] = field.range->max;
+    }
+    return json;
+}
+
 /// The data for a page's controls of a kind of item.
 template <class Item> Json fields_json(std::span<const ItemField<Item>> fields) {
     Json list = Json::array();
     for (const ItemField<Item>& field : fields) {
-        Json keys = {field.key};
-        if (!field.other_key.empty()) keys.push_back(field.other_key);
-        Json json = {{"name", field.name},         {"keys", std::move(keys)},
-                     {"label", field.label},       {"description", field.description},
-                     {"required", field.required}, {"default", field_json<Json>(field, Item{})}};
+        AnyField any{field.name,     field.key, field.other_key, field.label, field.description, {},
+                     field.required, {},        nullptr};
         std::visit(
             [&](const auto& member) {
-                json["type"] = member.type.word;
-                if constexpr (requires { member.type.words; }) json["words"] = member.type.words;
-                if constexpr (requires { member.type.range; }) {
-                    json["min"] = member.type.range.min;
-                    json["max"] = member.type.range.max;
-                }
+                any.type = member.type.word;
+                if constexpr (requires { member.type.words; }) any.words = member.type.words;
+                if constexpr (requires { member.type.range; }) any.range = &member.type.range;
             },
             field.member);
-        list.push_back(std::move(json));
+        list.push_back(any_field_json(any, field_json<Json>(field, Item{})));
     }
     return list;
 }

@@ -92,4 +92,12 @@ export const ways = {
         {right: ['replace shading = blinn-phong => shading = phong', 'replace shading = blinn-phong  => shading = phong  aa = 1  ', 'replace   shading = blinn-phong => \n  shading = phong'],
             near: ['replace shininess = 40 => shininess = 160', 'replace shading = blinn-phong => shading = diffuse', 'replace specular_color = (0.6, 0.6, 0.6) => specular_color = (0.3, 0.3, 0.3)']},
     ],
+    '14_patterns': [
+        {right: ['pin 0.4672,0.4729', 'pin 0.5328,0.4688', 'pin 0.5016,0.5604'], near: ['pin 0.5,0.5', 'pin 0.1,0.9']},
+        {right: ['replace scale = 0.4 => scale = 0.79', 'replace scale = 0.4 => scale = 0.80', 'replace scale = 0.4 => scale = 0.82'], near: ['replace scale = 0.4 => scale = 0.6', 'replace scale = 0.4 => scale = 0.2']},
+        {right: ['replace translate = (0, 1, 1) => translate = (0, 1, 1)  filter = nearest', 'replace texture agate { => texture agate { filter = nearest', 'replace mapping = onion => mapping = onion  filter  =  nearest'],
+            near: ['replace (0.6, => (0.9,', 'replace scale = 0.8 => scale = 0.4']},
+        {right: ['replace mapping = onion => mapping = checker; replace (0.6, => (0.5,', 'replace mapping = onion => mapping = checker; replace (0.6, => (0.3,', 'replace onion => checker; replace (0.6, => (0.1,'],
+            near: ['replace mapping = onion => mapping = checker', 'replace (0.6, => (0.5,']},
+    ],
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Decides whether a lesson's step is done, and says what is missing: by the scene as glint reads it, by its pixels as glint
 // explains them, and by the pinned pixel. docs/lessons/README.md describes the checks.
-import type {Explanation, ExplainedHit, SceneInfo} from 'glint-wasm';
+import type {Explanation, SceneInfo} from 'glint-wasm';
 
 export interface Situation {
     info: SceneInfo;
@@ -38,6 +38,7 @@ const pixelNames: Record<string, string> = {
     ambient: 'the ambient light', diffuse: 'the diffuse light', specular: 'the highlight', reflection: 'the mirror’s part', transmission: 'the glass’s part',
     n_l: 'N·L', rays: 'the number of rays', generations: 'the number of mirrors and glass surfaces on the way', lights: 'the number of lights that add something',
     blocked: 'the number of blocked lights', 'material.shininess': 'the exponent', 'material.ior': 'the index of refraction',
+    'texture.u': 'u', 'texture.next_column_weight': 'w',
 };
 
 /** A quantity of a pixel: a channel's byte, a layer, a number of the material, the number of rays. */
@@ -53,8 +54,8 @@ function ofPixel(explanation: Explanation | null, what: string): number | null {
     if (what === 'blocked') return hit?.lights.filter((light) => light.reason === 'blocked').length ?? 0;
     if (what === 'n_l') return hit && hit.lights.length > 0 ? Math.max(...hit.lights.map((light) => light.n_l ?? -1)) : null;
     const [owner, field, part] = what.split('.') as [string, string?, string?];
-    const material = hit?.material as (ExplainedHit['material'] & Record<string, unknown>) | undefined;
-    const value = owner === 'material' && field !== undefined ? material?.[field] : undefined;
+    const owned = hit?.[owner as 'material' | 'texture'] as Record<string, unknown> | undefined;
+    const value = field !== undefined ? owned?.[field] : undefined;
     if (Array.isArray(value)) return part === undefined ? largest(value as number[]) : ((value as number[])[Number(part)] ?? null);
     return typeof value === 'number' ? value : null;
 }
