@@ -148,7 +148,9 @@ function sumWords(hit: ExplainedHit, fog: ExplainedRay['fog']): string {
 function textureText(texture: NonNullable<ExplainedHit['texture']>): string {
     const place = `${texture.name ? `${texture.name} ` : ''}at u ${short(texture.u)}, v ${short(texture.v)}`;
     const does = {multiply: 'multiplies color, k_a and k_d', multiply_all: 'multiplies color, k_a, k_d and k_e', replace: 'replaces the color'};
-    return `${place}; ${does[texture.mix]}`;
+    const {column, next_column: next, next_column_weight: w} = texture;
+    const colors = texture.row !== texture.next_row || column < 0 ? '' : column === next ? `, its color ${column + 1}` : `, between its colors ${column + 1} and ${next + 1}, w = ${short(w)}`;
+    return `${place}${colors}; ${does[texture.mix]}`;
 }
 
 /** The holes of textures and the backs of one-sided surfaces that a ray passes. */
@@ -208,6 +210,7 @@ function Ray({explanation, number, depth}: {explanation: Explanation; number: nu
                     {hit.outline !== undefined && <Term name="outline" place={hit.material} formula="times the diffuse light" value={short(hit.outline)} />}
                     {hit.local_share !== 1 && <Term name="own share" place={hit.material} formula={hit.opacity === undefined ? '1 − mirror − glass' : 'of its own light'} value={short(hit.local_share)} />}
                     {hitTerms.map(({name, label, usual}) => hit[name] !== usual && <Term key={name} name={label} place={hit.material} value={short(hit[name] as number)} />)}
+                    {hit.fade && <Term name="fades" place={hit.material} formula="what leaves the object here: times" value={shortColor(hit.fade)} />}
                     <Term name="ambient" place={hit.material} formula="k_a I_a" value={shortColor(hit.ambient)} />
                     {byLight(hit.lights).map((members) => (members.length === 1
                         ? <Light key={members[0]} terms={hit.lights[members[0]!]!} hit={hit} ray={number} index={members[0]!} />
