@@ -222,6 +222,12 @@ TEST(PovRayMissing, EffectsOfMirrorsAreNamedWhereThereAreSome) {
               std::string::npos);
 }
 
+TEST(PovRayMissing, TheSecondDiffuseNumberNeedsNoComma) {
+    EXPECT_EQ(said("sphere { 0, 1 finish { diffuse 0.8 0 phong 1 } }"), "");
+    EXPECT_NE(said("sphere { 0, 1 finish { diffuse 0.8 .3 } }").find("`diffuse`"), std::string::npos);
+    EXPECT_NE(said("sphere { 0, 1 finish { diffuse 0.8, .3 } }").find("`diffuse`"), std::string::npos);
+}
+
 TEST(PovRayMissing, ParallelLightsThatFade) {
     const std::string light = "light_source { 3*y, 1 parallel point_at 0 fade_distance 2 ";
     EXPECT_NE(said(light + "fade_power 1 }\nsphere { 0, 1 }")

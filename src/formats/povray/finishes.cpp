@@ -47,7 +47,7 @@ void TextureParser::read_finish(Finish& finish) {
             case Word::k_diffuse:
                 albedos.diffuse = accept_albedo() || albedos.diffuse;
                 finish.diffuse = number();
-                finish.diffuse_back = accept(',') ? number() : 0;
+                finish.diffuse_back = accept(',') || begins_number(peek()) ? number() : 0;
                 break;
             case Word::k_brilliance:
                 finish.brilliance = number();
