@@ -16,8 +16,9 @@ namespace glint::povray {
 const Opaque* SceneBuilder::finish_interior_of(const Object& object) {
     if (object.texture && object.texture->finish.interior) return object.texture->finish.interior.get();
     if (!object.parts) return nullptr;
-    for (auto part = object.parts->rbegin(); part != object.parts->rend(); ++part) {
-        if (const Opaque* found = finish_interior_of(**part)) return found;
+    const auto& parts = *object.parts;
+    for (std::size_t i = parts.size(); i-- > 0;) {
+        if (const Opaque* found = finish_interior_of(*parts[i])) return found;
     }
     return nullptr;
 }
