@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// lathe and sphere_sweep, as groups of other shapes: a segment of a lathe's line makes a cone, a cylinder or
-// a disc with a hole. A sphere_sweep is the merge of its spheres with the cones that touch two of them from
-// outside: the center of the circle where such a cone touches a sphere of radius r is r sin a from the
-// sphere's center, and the circle's radius r cos a, where sin a = (r0 - r1) / d, and d the distance of the
-// spheres. If it is not below 1, one sphere holds the other one.
-#include <fmt/format.h>
-
+// lathe and sphere_sweep with linear splines, as groups of other shapes: a segment of a lathe's line makes a
+// cone, a cylinder or a disc with a hole. A sphere_sweep is the merge of its spheres with the cones that
+// touch two of them from outside: the center of the circle where such a cone touches a sphere of radius r is
+// r sin a from the sphere's center, and the circle's radius r cos a, where sin a = (r0 - r1) / d, and d the
+// distance of the spheres. If it is not below 1, one sphere holds the other one.
 #include "formats/povray/object_parser.h"
 #include "math/number.h"
 #include "math/transform.h"
@@ -70,33 +68,6 @@ void add_swept_segment(const SweptSphere& from, const SweptSphere& to, PartList&
               to.center + axis * (to.radius * sine), from.radius * cosine, to.radius * cosine, false);
 }
 
-constexpr int k_pieces = 64;  // of the curve of four spheres
-
-// Spheres of the curve of a cubic_spline (Catmull and Rom's) or b_spline through or near the given ones, from
-// the second to the last but one. Measured with 64 of each four: 0.01% of the pixels of a thick curve differ
-// from POV-Ray's by more than 2.
-CountedVector<SweptSphere> spheres_between(const CountedVector<SweptSphere>& given, bool is_b_spline) {
-    CountedVector<SweptSphere> all;
-    for (std::size_t i = 0; i + 3 < given.size(); ++i) {
-        for (int k = 0; k <= k_pieces; ++k) {
-            if (k == k_pieces && i + 4 < given.size()) break;  // the first one of the next four
-            const double t = static_cast<double>(k) / k_pieces, u = 1 - t;
-            const double uniform[] = {u * u * u / 6, (3 * t - 6) * t * t / 6 + 4.0 / 6,
-                                      (3 * u - 6) * u * u / 6 + 4.0 / 6, t * t * t / 6};
-            const double through[] = {-t * u * u / 2, ((3 * t - 5) * t * t + 2) / 2,
-                                      ((3 * u - 5) * u * u + 2) / 2, -u * t * t / 2};
-            SweptSphere sphere;
-            for (std::size_t of = 0; of < 4; ++of) {
-                const double weight = is_b_spline ? uniform[of] : through[of];
-                sphere.center = sphere.center + given[i + of].center * weight;
-                sphere.radius += given[i + of].radius * weight;
-            }
-            all.push_back(sphere);
-        }
-    }
-    return all;
-}
-
 }  // namespace
 
 // { spline number, points modifiers }
@@ -139,46 +110,28 @@ Object ObjectParser::read_sphere_sweep(const Token& word) {
     object.is_merge = true;
     if (!expect('{')) return object;
     if (begins_declared(peek()) && begins_object(peek())) return read_copy();
-    const Token kind = peek();
-    const std::string_view name = kind.kind == TokenKind::word ? text_of(kind) : std::string_view();
-    const bool is_curve = name == "b_spline" || name == "cubic_spline";
     Spline spline = Spline::linear;
-    if (is_curve) {
-        take();
-        object.is_curve = true;
-    } else {
-        read_spline(object, spline, 1);
-    }
+    read_spline(object, spline, 1);
     if (spline == Spline::refused) return object;
     accept(',');
     const Token count_at = peek();
-    const std::size_t count = read_count(), least = is_curve ? 4 : 2;
-    if (!failed() && count < least)
-        error(count_at,
-              fmt::format("expected at least {} spheres of a sphere_sweep", is_curve ? "four" : "two"));
-    CountedVector<SweptSphere> spheres;
+    const std::size_t count = read_count();
+    if (!failed() && count < 2) error(count_at, "expected at least two spheres of a sphere_sweep");
+    PartList parts(word);
+    bool is_below = false;
+    SweptSphere last;
     for (std::size_t i = 0; i < count && !failed(); ++i) {
-        SweptSphere& sphere = spheres.emplace_back();
+        SweptSphere sphere;
         sphere.center = vector();
         accept(',');
         sphere.radius = number();
         accept(',');
-    }
-    if (failed()) return object;
-    if (is_curve) {
-        constexpr std::uint64_t bytes = k_pieces * (sizeof(SweptSphere) + 2 * sizeof(Object));
-        if (!spend(k_pieces * spheres.size()) || !has_room(bytes * spheres.size(), word)) return object;
-        spheres = spheres_between(spheres, name == "b_spline");
-    }
-    PartList parts(word);
-    bool is_below = false;
-    for (std::size_t i = 0; i < spheres.size(); ++i) {
-        const SweptSphere& sphere = spheres[i];
         is_below |= sphere.radius < 0;
         if (sphere.radius > 0) parts.add(ObjectKind::sphere, sphere.center, {}, sphere.radius, 0, false);
-        if (i > 0) add_swept_segment(spheres[i - 1], sphere, parts);
-        if (!spend() || (i % 256 == 0 && !is_within_memory(word))) return object;
+        if (i > 0) add_swept_segment(last, sphere, parts);
+        last = sphere;
     }
+    if (failed()) return object;
     if (peek().kind == TokenKind::word && text_of(peek()) == "tolerance") {
         take();
         number();
