@@ -131,6 +131,30 @@ TEST(PovRaySphereSweeps, EqualRadiiMakeCylindersAndHeldSpheresNothing) {
     EXPECT_TRUE(scene.get<Cone>().empty());
 }
 
+TEST(PovRaySphereSweeps, CurvesAreSweptInPieces) {
+    const auto ends = [](const std::string& kind) {
+        const Scene scene = povray_scene(
+            "sphere_sweep { " + kind + " 5, 0, 1, <6, 0, 0>, 2, <6, 6, 0>, 1, <0, 6, 6>, 3, <0, 12, 6>, 1 }");
+        const auto& spheres = scene.get<Sphere>();
+        EXPECT_EQ(spheres.size(), 129u) << kind;
+        EXPECT_EQ(scene.get<Cone>().size() + scene.get<Cylinder>().size(), 128u);
+        return spheres.empty() ? std::tuple<Sphere, Sphere, Sphere>()
+                               : std::tuple(spheres.front(), spheres[64], spheres.back());
+    };
+    // Through the given spheres.
+    const auto [first, middle, last] = ends("cubic_spline");
+    expect_vec(first.center, {6, 0, 0});
+    expect_vec(middle.center, {6, 6, 0});
+    expect_vec(last.center, {0, 6, 6});
+    EXPECT_NEAR(last.radius, 3, 1e-12);
+    // (a + 4 b + c) / 6
+    const auto [b_first, b_middle, b_last] = ends("b_spline");
+    expect_vec(b_first.center, {5, 1, 0});
+    EXPECT_NEAR(b_first.radius, 10.0 / 6, 1e-12);
+    expect_vec(b_middle.center, {5, 5, 1});
+    expect_vec(b_last.center, {1, 7, 5});
+}
+
 TEST(PovRaySphereSweeps, TransparentOnesAndOperandsAreOneSolid) {
     for (const std::string text :
          {"sphere_sweep { linear_spline 2, 0, 1, 3*x, 0.5 pigment { rgbt 0.5 } }",
@@ -183,10 +207,10 @@ TEST(PovRaySweeps, OtherSplinesAndPartsOfSolidsAreRefusedByName) {
          "2:1: error: glint does not render `prism` (whose curve is not closed)"},
         {"prism { linear_sweep natural_spline 0, 1, 4, <0, 0>, <1, 0>, <1, 1>, <0.1, 0> }",
          "2:22: error: glint does not render `natural_spline` (prism)"},
-        {"sphere_sweep { cubic_spline 4, 0, 1, x, 1, 2*x, 1, 3*x, 1 }",
-         "2:16: error: glint does not render `cubic_spline` (sphere_sweep)"},
-        {"sphere_sweep { b_spline 4, 0, 1, x, 1, 2*x, 1, 3*x, 1 tolerance 0.1 }",
-         "2:16: error: glint does not render `b_spline` (sphere_sweep)"},
+        {"sphere_sweep { natural_spline 4, 0, 1, x, 1, 2*x, 1, 3*x, 1 }",
+         "2:16: error: glint does not render `natural_spline` (sphere_sweep)"},
+        {"sphere_sweep { cubic_spline 4, 0, 1, x, .1, 2*x, .1, 3*x, 2 }",
+         "2:1: error: glint does not render `sphere_sweep` (with a radius below 0)"},
         {"difference { box { -1, 1 } prism { 0, 1, 5, " + k_prism_square + " } }",
          "2:28: error: glint does not render `prism` (in a solid)"},
         {"intersection { box { -1, 1 } lathe { 2, <1, 0>, <1, 1> } }",

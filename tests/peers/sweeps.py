@@ -47,7 +47,10 @@ def polygon(points, items=SHINE + " rotate <20, 25, 0> translate 0.6*y"):
     return f"polygon {{ {points.count('<')}, {points} {items} }}\n"
 
 
+WORM = "7, <-1.2, 0.4, 0>, 0.1, <-0.9, 0.9, 0>, 0.15, <-0.4, 0.3, 0.3>, 0.25, <0, 0.9, 0>, 0.15, <0.4, 0.3, -0.3>, 0.1, <0.9, 1, 0>, 0.2, <1.2, 0.4, 0>, 0.1 tolerance 1e-6"
+
 RULES = [
+    *[sweeps("spheres_" + kind, f"sphere_sweep {{ {kind} {WORM} {SHINE} }}\n") for kind in ("b_spline", "cubic_spline")],
     sweeps("prism", prism(ARROW)),
     sweeps("prism_heights", prism(ARROW, "0.5, -0.4", "linear_sweep linear_spline")),
     sweeps("prism_plain", prism(ARROW, words="")),

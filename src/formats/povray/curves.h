@@ -7,7 +7,11 @@
 
 namespace glint::povray {
 
-enum class Spline : std::uint8_t { linear, quadratic, cubic, bezier, refused };
+enum class Spline : std::uint8_t { linear, quadratic, cubic, bezier, b_spline, refused };
+/// A set of kinds, one bit each.
+constexpr unsigned splines(auto... kinds) { return ((1u << static_cast<unsigned>(kinds)) | ...); }
+inline constexpr unsigned k_flat_splines =
+    splines(Spline::linear, Spline::quadratic, Spline::cubic, Spline::bezier);
 
 /// Adds the points of the curve that points[first..end) give. The pieces between them turn by at most about
 /// 0.25 degrees each. spend: as of fill_even_odd.

@@ -190,6 +190,7 @@ class ExtentReader {
 
     std::optional<Extent> of_group(const Object& object, const Affine& map) {
         if (object.stands_for == "lathe") return of_lathe(object, map);
+        if (object.is_curve) return unknown("sphere_sweep with a curved spline");
         if (object.stands_for == "sphere_sweep") return of_sweep(object, map);
         Extent box;
         for (const ObjectPart& part : *object.parts) {

@@ -87,7 +87,7 @@ class ObjectParser : public TextureParser {
 
     // prisms.cpp
     Object read_prism(const Token& word);
-    bool read_spline(Object& object, Spline& spline, std::size_t curves);
+    bool read_spline(Object& object, Spline& spline, unsigned allowed);
     void read_flat_points(std::size_t least, Spline spline, FlatLoop& points);
 
     // glyphs.cpp, in builds with fonts

@@ -95,7 +95,7 @@ CountedVector<FlatLoop> loops_of(const FlatLoop& points, Spline spline,
 
 // The words before the numbers of a prism or lathe. If the spline is refused, so is the object, and its block
 // is read over.
-bool ObjectParser::read_spline(Object& object, Spline& spline, std::size_t curves) {
+bool ObjectParser::read_spline(Object& object, Spline& spline, unsigned allowed) {
     static constexpr std::string_view k_names[] = {"linear_spline", "quadratic_spline", "cubic_spline",
                                                    "bezier_spline", "b_spline",         "natural_spline"};
     const Token word = peek();
@@ -104,7 +104,7 @@ bool ObjectParser::read_spline(Object& object, Spline& spline, std::size_t curve
     if (name == std::end(k_names)) return false;
     const auto number = static_cast<std::size_t>(name - k_names);
     spline = Spline::refused;
-    if (number < curves) {
+    if ((allowed >> number & 1) != 0) {
         take();
         spline = static_cast<Spline>(number);
         return true;
@@ -153,7 +153,7 @@ Object ObjectParser::read_prism(const Token& word) {
             is_conic = name == "conic_sweep";
             continue;
         }
-        if (!read_spline(object, spline, 4)) break;
+        if (!read_spline(object, spline, k_flat_splines)) break;
     }
     if (spline == Spline::refused) return object;
     const double first = number();
