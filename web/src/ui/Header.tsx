@@ -18,7 +18,6 @@ const families: [string, string][] = [
     ['cgfs', 'Computer Graphics from Scratch'],
     ['epfl', 'EPFL, RT2'],
     ['csc473', 'CSC 473'],
-    ['povray', 'POV-Ray'],
     ['glint', 'glint'],
     ['nff', 'Standard Procedural Databases'],
     ['faults', 'Faults: find the mistake'],
