@@ -322,6 +322,14 @@ struct Material {
     /// Where no light gets through (total reflection), the mirror ray has it.
     bool refracts = false;
 
+    /// a depends on the angle by Fresnel's equations: mirror_min + (mirror - mirror_min) F, with F of
+    /// unpolarized light between `ior` and what is around the shape; mirror_falloff has no effect (POV-Ray).
+    bool mirror_fresnel = false;
+
+    /// What `filter` and `transmit` let through to the eye is multiplied by 1 - a mirror_tint (POV-Ray).
+    /// Shadows do not change.
+    bool conserve_energy = false;
+
     /// > 0: light that leaves the shape through its transparent surface has the factor
     /// 1 - (1 - fade_color) (1 - T) with T = 1 / (1 + (d / fade_distance)^fade_power), and from a power of
     /// 1000 on exp(-(1 - fade_color) d / fade_distance). d is the distance from the last surface, in world
@@ -331,6 +339,8 @@ struct Material {
     Color fade_color{0, 0, 0};  ///< what is left of white light after a long way
 
     constexpr bool is_transparent() const { return filter > 0 || transmit > 0; }
+    /// Whether a depends on the angle.
+    constexpr bool has_angled_mirror() const { return mirror_falloff > 0 || mirror_fresnel; }
 };
 
 /// A shape's own color, in single precision; NaN: none. See Scene::shape_colors.

@@ -239,6 +239,8 @@ class Material:
         tinted_highlight: bool = ...,
         mirror_falloff: float = ...,
         mirror_min: float = ...,
+        mirror_fresnel: bool = ...,
+        conserve_energy: bool = ...,
         mirror_metallic: float = ...,
         filter: float = ...,
         transmit: float = ...,
@@ -274,6 +276,8 @@ class Material:
     tinted_highlight: bool
     mirror_falloff: float
     mirror_min: float
+    mirror_fresnel: bool
+    conserve_energy: bool
     mirror_metallic: float
     filter: float
     transmit: float

@@ -177,7 +177,7 @@ World without_glass(World world) {
         if (parts.extended->empty()) continue;
         double* const extended = parts.extended.own().data() + std::size_t{row} * k_extended_values;
         extended[k_extended_value<&Material::filter>] = extended[k_extended_value<&Material::transmit>] =
-            extended[k_extended_value<&Material::mirror_falloff>] = 0;
+            extended[k_extended_value<&Material::mirror_min>] = 0;
     }
     return world;
 }

@@ -141,7 +141,7 @@ void check_finish(CheckContext& context, std::uint32_t index) {
     const Material& m = context.scene().materials[index];
     const Material usual;
     const bool shines = brightest(m.specular) > 0 || brightest(m.phong) > 0;
-    const bool mirrors = m.mirror > 0 || (m.mirror_falloff > 0 && m.mirror_min > 0);
+    const bool mirrors = m.mirror > 0 || (m.has_angled_mirror() && m.mirror_min > 0);
     const auto report = [&](std::string_view key, std::string_view what, std::string_view cure) {
         context.report(
             "finish-unused", context.at_material(index),
@@ -152,16 +152,25 @@ void check_finish(CheckContext& context, std::uint32_t index) {
         report("`metallic`", "no highlight", "give it a specular_color or a phong_color");
     if (m.brilliance != usual.brilliance && brightest(m.diffuse) == 0)
         report("a brilliance", "no diffuse light", "give it a diffuse coefficient");
-    if ((m.mirror_falloff > 0 || m.mirror_metallic > 0) && !mirrors)
-        report(m.mirror_falloff > 0 ? "`mirror_falloff`" : "`mirror_metallic`", "it is no mirror",
-               "give it a mirror");
+    const std::pair<bool, std::string_view> of_mirrors[] = {{m.mirror_falloff > 0, "`mirror_falloff`"},
+                                                            {m.mirror_fresnel, "`mirror_fresnel`"},
+                                                            {m.conserve_energy, "`conserve_energy`"},
+                                                            {m.mirror_metallic > 0, "`mirror_metallic`"}};
+    for (const auto& [is_set, key] : of_mirrors)
+        if (is_set && !mirrors) report(key, "it is no mirror", "give it a mirror");
+    if (m.mirror_falloff > 0 && m.mirror_fresnel)
+        report("`mirror_falloff`", "mirror_fresnel is true", "leave one of them out");
+    if (m.mirror_fresnel && mirrors && m.ior == 1)
+        report("`mirror_fresnel`", "its ior is 1, that of air", "give it an ior, such as 1.5");
+    if (m.conserve_energy && mirrors && !m.is_transparent() && m.texture == k_none)
+        report("`conserve_energy`", "it lets no light through", "give it a transmit, such as 0.5");
     if (m.outline > 0 && brightest(m.diffuse) == 0)
         report("an outline", "no diffuse light", "give it a diffuse coefficient");
     if (m.outline_width > 0 && m.outline == 0)
         report("`outline_width`", "outline is 0", "give it an outline, such as 0.8");
     if (m.angled_opacity && m.transmit == 0)
         report("`angled_opacity`", "transmit is 0", "give it a transmit, such as 0.5");
-    if (m.mirror_min > 0 && !(m.mirror_falloff > 0))
+    if (m.mirror_min > 0 && !m.has_angled_mirror())
         report("`mirror_min`", "mirror_falloff is 0", "give it a mirror_falloff, such as 1");
 }
 

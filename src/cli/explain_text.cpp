@@ -159,7 +159,7 @@ class Tree {
             text_.line(depth + 1, fmt::format("{} {}", label, number(value)));
         });
         add_lights(text_, scene_, style_, hit, depth + 1);
-        if (material_of(hit, scene_).mirror_falloff > 0)
+        if (material_of(hit, scene_).has_angled_mirror())
             text_.line(depth + 1, fmt::format("mirror: {} at this angle", number(hit.mirror)));
         if (material_of(hit, scene_).transmission > 0)
             text_.line(depth + 1, fmt::format("glass: reflects F = {}, tint {}", number(hit.fresnel),

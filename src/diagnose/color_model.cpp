@@ -123,7 +123,7 @@ Maybe RayModel::local() const {
 
 std::optional<bool> RayModel::has_child(LoggedRayKind kind) const {
     const std::optional<Material> surface = material();
-    if (!surface || surface->is_transparent() || surface->mirror_falloff > 0) return std::nullopt;
+    if (!surface || surface->is_transparent() || surface->has_angled_mirror()) return std::nullopt;
     int limit = model_.scene.settings.reflections;
     if (is(TracerMistake::depth_one_more)) limit += trial_.variant < 3 ? 1 + trial_.variant : 1000;
     if (is(TracerMistake::depth_one_less)) --limit;
@@ -150,7 +150,7 @@ Maybe RayModel::weight() const {
 Maybe RayModel::relative_weight() const {
     if (!parent_) return std::nullopt;
     const std::optional<Material> surface = parent_->material();
-    if (!surface || surface->mirror_falloff > 0) return std::nullopt;
+    if (!surface || surface->has_angled_mirror()) return std::nullopt;
     if (ray_.kind == LoggedRayKind::mirror && surface->transmission == 0 && surface->mirror_metallic == 0) {
         if (is(TracerMistake::weight_missing)) return ApproxVec(Color{1, 1, 1});
         if (is(TracerMistake::weight_untinted)) return ApproxVec(Color{1, 1, 1}) * Approx(surface->mirror);
@@ -176,7 +176,7 @@ Maybe RayModel::relative_weight() const {
 // The factor of the surface's own light, where the model knows it.
 std::optional<double> RayModel::local_share() const {
     const std::optional<Material> surface = material();
-    if (!surface || surface->is_transparent() || surface->mirror_falloff > 0 || surface->transmission > 0) {
+    if (!surface || surface->is_transparent() || surface->has_angled_mirror() || surface->transmission > 0) {
         if (!is_reference() || !reference_->hit || shape() != reference_->hit->shape) return std::nullopt;
         if (is(TracerMistake::glass_own_light) && surface && surface->transmission > 0 &&
             surface->transmission < 1)
@@ -272,7 +272,7 @@ Maybe RayModel::color() const {
         }
         return true;
     };
-    const bool may_reflect = surface->mirror > 0 || surface->mirror_falloff > 0 || surface->transmission > 0;
+    const bool may_reflect = surface->mirror > 0 || surface->has_angled_mirror() || surface->transmission > 0;
     if (may_reflect && (!has_mirror || !has_glass) && ray_.generation < model_.scene.settings.reflections) {
         const bool knows = is_reference() && reference_->hit && shape() == reference_->hit->shape &&
                            !is(TracerMistake::mirror_unweighted);

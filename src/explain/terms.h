@@ -182,7 +182,7 @@ inline constexpr ExplainedTerm<ExplainedHit> k_hit_terms[] = {
     {"opacity", &ExplainedHit::opacity, "of a transparent surface (filter, transmit)", terms::is_transparent},
     {"through", &ExplainedHit::through,
      "of a transparent surface: the factor of what is behind it, transmit + filter * color; with "
-     "angled_opacity, the transmit at this angle",
+     "angled_opacity, the transmit at this angle; with conserve_energy, times 1 - mirror * mirror_tint",
      terms::is_transparent},
     {"fade", &ExplainedHit::fade,
      "of a surface where light leaves an object that fades it (`fade_distance`): what is left of it",

@@ -40,6 +40,16 @@ template <class T> HWY_INLINE T schlick(T cosine, T ior) {
     return f0 + (T(1) - f0) * (m * m * (m * m) * m);
 }
 
+/// Fresnel's equations for unpolarized light: the reflectance at a cosine of 0 to 1, eta = n1 / n2. 1 where
+/// there is total internal reflection, 0 if eta is 1.
+template <class T> HWY_NOINLINE T fresnel_reflectance(T cosine, T eta) noexcept {
+    const T square = T(1) - eta * eta * (T(1) - cosine * cosine), other = sqrt(max(square, T(0)));
+    const T across = (eta * cosine - other) / (eta * cosine + other),
+            along = (eta * other - cosine) / (eta * other + cosine);
+    const T part = (across * across + along * along) * T(0.5);
+    return select(eta == T(1), T(0), select(square > T(0), min(part, T(1)), T(1)));
+}
+
 /// Beer's law: the fraction of a color channel that remains after a distance in glass of this tint.
 /// absorption: of a black tint, per unit of length (CSC 473: 0.15).
 template <class T> HWY_INLINE T beer(T tint, T absorption, T distance) {

@@ -370,7 +370,8 @@ GLINT_SMALL void record_sums(const WorldParts& world, const SurfaceBatch& surfac
                              const RadianceBatch& radiance, TileRecord& record) {
     for_each_hit(surfaces, [&](int h, int lanes) HWY_ATTR {
         const MaterialLanes material(surfaces, h);
-        const LaneElements mirror(mirror_of(world, material, surfaces, h));
+        const Doubles a = mirror_of(world, material, surfaces, h);
+        const LaneElements mirror(a);
         const HitLight light = light_of(world, surfaces, radiance, material, h);
         const Vector3Elements ambient(ambient_of(world, material)), emission(emission_of(world, material)),
             parts[4] = {Vector3Elements(light.ambient), Vector3Elements(light.diffuse),
@@ -393,8 +394,9 @@ GLINT_SMALL void record_sums(const WorldParts& world, const SurfaceBatch& surfac
             if (world.is_transparent(hit.material)) {
                 hit.transparent = true;
                 const TransparencyLanes transparency = transparency_of(world, material, surfaces, h);
+                const Vector3Elements through(seen_through(world, material, transparency, surfaces, h, a));
                 hit.opacity = LaneElements(transparency.opacity(world.conventions.opacity))[k];
-                hit.through = Vector3Elements(transparency.through()).color(k);
+                hit.through = through.color(k);
                 hit.fade = surface_fade(world, surfaces, h + k);
             }
             for (int part = 0; part < 4; ++part) hit.parts[part] = parts[part].color(k);

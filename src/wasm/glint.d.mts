@@ -338,8 +338,12 @@ export interface MaterialValues {
     tinted_highlight: boolean;
     /** if > 0, the mirror is mirror_min + (mirror - mirror_min) (1 - cos)^mirror_falloff */
     mirror_falloff: number;
-    /** the mirror for rays along the normal, if mirror_falloff > 0 */
+    /** the mirror for rays along the normal, if mirror_falloff > 0; with mirror_fresnel, the least mirror */
     mirror_min: number;
+    /** true: the mirror is mirror_min + (mirror - mirror_min) F, with F of Fresnel's equations by the ior */
+    mirror_fresnel: boolean;
+    /** true: what filter and transmit let through is reduced by what the mirror reflects */
+    conserve_energy: boolean;
     /** how far the mirror tints what it shows with the surface's color, except at grazing rays */
     mirror_metallic: number;
     /** transparency without refraction: the part of the light from behind that the color tints */
@@ -430,7 +434,7 @@ export interface HitTerms {
     fresnel: number;
     /** of a transparent surface (filter, transmit) */
     opacity?: number;
-    /** of a transparent surface: the factor of what is behind it, transmit + filter * color; with angled_opacity, the transmit at this angle */
+    /** of a transparent surface: the factor of what is behind it, transmit + filter * color; with angled_opacity, the transmit at this angle; with conserve_energy, times 1 - mirror * mirror_tint */
     through?: Vec3;
     /** of a surface where light leaves an object that fades it (`fade_distance`): what is left of it */
     fade?: Vec3;

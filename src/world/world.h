@@ -128,8 +128,10 @@ struct WorldParts {
     /// Whether a row of the table has mirror rays, in some direction.
     bool is_mirror(std::uint32_t row) const {
         return material(row)[k_mirror] > 0 ||
-               (uses<&Material::mirror_falloff>() &&
-                extended_row(row)[k_extended_value<&Material::mirror_falloff>] > 0 &&
+               ((uses<&Material::mirror_falloff>() || uses<&Material::mirror_fresnel>()) &&
+                extended_row(row)[k_extended_value<&Material::mirror_falloff>] +
+                        extended_row(row)[k_extended_value<&Material::mirror_fresnel>] >
+                    0 &&
                 extended_row(row)[k_extended_value<&Material::mirror_min>] > 0);
     }
     /// A row of the second table, which must exist.

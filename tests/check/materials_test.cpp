@@ -43,12 +43,17 @@ TEST(CheckMaterials, FinishesWithoutEffect) {
     for (const std::string_view unused :
          {"metallic = 1", "diffuse = 0  brilliance = 2", "diffuse = 0  outline = 1", "outline_width = 0.5",
           "angled_opacity = true", "mirror_falloff = 2", "mirror_metallic = 1",
-          "mirror = 0.1  mirror_min = 0.1"})
+          "mirror_fresnel = true  ior = 1.5", "mirror = 0.1  mirror_fresnel = true",
+          "mirror = 0.1  mirror_fresnel = true  ior = 1.5  mirror_falloff = 1",
+          "mirror = 0.1  mirror_min = 0.1", "transmit = 0.5  conserve_energy = true",
+          "mirror = 0.1  conserve_energy = true"})
         EXPECT_EQ(ids_of(k_clean + ball + std::string(unused) + " }\n"), "finish-unused@7") << unused;
     for (const std::string_view used :
          {"metallic = 1  specular = 0.1", "metallic = 1  phong_color = (0.1, 0.1, 0.1)", "brilliance = 2",
           "mirror = 0.1  mirror_falloff = 2", "mirror_min = 0.1  mirror_falloff = 2",
-          "transmit = 0.5  angled_opacity = true"})
+          "mirror = 0.1  mirror_fresnel = true  ior = 1.5",
+          "mirror_min = 0.1  mirror_fresnel = true  ior = 1.5",
+          "mirror = 0.1  transmit = 0.5  conserve_energy = true", "transmit = 0.5  angled_opacity = true"})
         EXPECT_EQ(ids_of(k_clean + ball + std::string(used) + " }\n"), "") << used;
 }
 

@@ -246,8 +246,8 @@ TEST(Fields, HaveAllNumbersOfAMaterial) {
     std::size_t numbers = 0;
     for (const ItemField<Material>& field : k_material_fields)
         visit_bits(field, Material{}, [&](std::uint64_t) { ++numbers; });
-    // `interior` and `texture` have four bytes, `one_sided` and `refracts` have one.
-    EXPECT_EQ(sizeof(Material), (numbers - 2) * sizeof(double));
+    // `interior` and `texture` have four bytes, `one_sided` to `conserve_energy` have one.
+    EXPECT_EQ(sizeof(Material), (numbers - 4) * sizeof(double));
 }
 
 TEST(LightKinds, HaveWords) {

@@ -218,8 +218,33 @@ TEST(PovRayMissing, EffectsOfMirrorsAreNamedWhereThereAreSome) {
     const std::string keeps = "finish { reflection .3 conserve_energy } }";
     EXPECT_EQ(said("sphere { 0, 1 " + keeps), "");
     EXPECT_EQ(said("sphere { 0, 1 pigment { rgbt <1, 1, 1, .5> } finish { conserve_energy } }"), "");
-    EXPECT_NE(said("sphere { 0, 1 pigment { rgbt <1, 1, 1, .5> } " + keeps).find("`conserve_energy`"),
+    EXPECT_EQ(said("sphere { 0, 1 pigment { rgbt <1, 1, 1, .5> } " + keeps), "");
+    EXPECT_EQ(said("sphere { 0, 1 finish { reflection x conserve_energy } }"), "");
+    EXPECT_NE(said("sphere { 0, 1 pigment { rgbt <1, 1, 1, .5> } finish { reflection x conserve_energy } }")
+                  .find("`conserve_energy` (of a colored reflection)"),
               std::string::npos);
+    EXPECT_NE(said("sphere { 0, 1 texture { pigment { rgb x } } texture { pigment { rgbt <1, 1, 1, .5> } " +
+                   keeps + " }")
+                  .find("`conserve_energy` (of layered textures)"),
+              std::string::npos);
+}
+
+// POV-Ray's mirrors of objects within each other differ.
+TEST(PovRayMissing, FresnelMirrorsWithinTransparentObjects) {
+    const auto ball = [](const std::string& at, const std::string& pigment, const std::string& reflection) {
+        return "sphere { " + at + " pigment { " + pigment + " } finish { reflection { " + reflection +
+               " } } interior { ior 1.5 } }\n";
+    };
+    const std::string outer = ball("0, 2", "rgbt .8", ".1"), mirror = "0, 1 fresnel";
+    EXPECT_EQ(said(ball("0, 1", "rgb 1", mirror)), "");
+    EXPECT_EQ(said(outer + ball("5*x, 1", "rgbt .8", mirror)), "");
+    EXPECT_EQ(said(ball("0, 1", "rgb 1", mirror) + ball("x, 1", "rgb 1", mirror)), "");
+    EXPECT_EQ(said(outer + ball("0, 1", "rgbt .8", ".1")), "");
+    for (const std::string& text :
+         {outer + ball("0, 1", "rgbt .8", mirror), outer + ball("0, 1", "rgb 1", mirror),
+          ball("0, 2", "rgbt .8", mirror) + ball("0, 1", "rgbt .5", ".1")})
+        EXPECT_NE(said(text).find("`fresnel` (of an object within a transparent one)"), std::string::npos)
+            << text;
 }
 
 TEST(PovRayMissing, TheSecondDiffuseNumberNeedsNoComma) {

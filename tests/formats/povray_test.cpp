@@ -252,6 +252,31 @@ TEST(PovRay, FinishesHaveBothHighlightsAndMetals) {
     EXPECT_EQ(b.mirror_falloff, 0);
 }
 
+TEST(PovRay, FresnelMirrors) {
+    const auto mirror = [](const std::string& finish) {
+        const Scene scene = povray_scene("sphere { 0, 1 pigment { rgbt <1, 1, 1, .5> } finish { " + finish +
+                                         " } interior { ior 1.5 } }");
+        return scene.materials.at(0);
+    };
+    // One value is the greatest.
+    EXPECT_EQ(mirror("reflection { .5 fresnel }").mirror_min, 0);
+    const Material two = mirror("reflection { .2, .5 fresnel falloff 3 } conserve_energy");
+    EXPECT_TRUE(two.mirror_fresnel && two.conserve_energy);
+    EXPECT_EQ(two.mirror_min, .2);
+    EXPECT_EQ(two.mirror, .5);
+    EXPECT_EQ(two.ior, 1.5);
+    EXPECT_FALSE(mirror("reflection { .5 fresnel off }").mirror_fresnel);
+    // A later reflection keeps the word, but its one value is both the least and the greatest.
+    EXPECT_FALSE(mirror("reflection { .2, .5 fresnel } reflection .3").mirror_fresnel);
+    EXPECT_TRUE(mirror("reflection { .2, .5 fresnel } reflection { .1, .3 }").mirror_fresnel);
+    EXPECT_FALSE(mirror("conserve_energy").conserve_energy);
+    // An opaque mirror keeps its index.
+    EXPECT_EQ(povray_scene("sphere { 0, 1 finish { reflection { .5 fresnel } } interior { ior 2 } }")
+                  .materials.at(0)
+                  .ior,
+              2);
+}
+
 TEST(PovRay, AnIncludeIsReadBeforeWhatFollowsIt) {
     TextSources sources(std::map<std::string, std::string, std::less<>>{
         {"b.inc", "sphere { <1, 2, 3>, 1 }\n#declare R = 4;"}});

@@ -204,6 +204,8 @@ class RandomScene {
         if (pick(4) == 0) m.hollow = true;
         if (pick(4) == 0) m.one_sided = true;
         if (pick(4) == 0) m.refracts = true;
+        if (pick(4) == 0) m.mirror_fresnel = true;
+        if (pick(4) == 0) m.conserve_energy = true;
         if (pick(4) == 0) m.fade_distance = length(), m.fade_power = 1e9 * fraction();
         if (pick(4) == 0) m.fade_color = {fraction(), fraction(), 1};
         if (pick(4) == 0) m.interior = static_cast<std::int32_t>(pick(1000)) + 1;

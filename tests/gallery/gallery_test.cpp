@@ -60,6 +60,7 @@ const GalleryPicture k_gallery[] = {
     {"glint/moon_phases.glint", "size=160x80", 0x825214feb3b7d955},
     {"glint/patterns.glint", "size=160x107", 0x1a6367166a40ee5b},
     {"glint/peapod.glint", "size=120x79 aa=1", 0x7b8ffb9a57b99dc6},
+    {"glint/pond.glint", "size=160x120 aa=2", 0x214bbe6f770afa4f},
     {"glint/quartics.glint", "size=160x120 aa=2", 0xacff473843dc30c7},
     {"glint/rings.glint", "size=160x107 aa=2", 0x31e0147dfc05e08a},
     {"glint/shell.glint", "size=160x160 aa=1", 0xb3db701eb72175eb},

@@ -198,6 +198,7 @@ TEST(Misuse, OfReasons) {
     Material odd;
     odd.filter = odd.transmit = k_nan;
     EXPECT_FALSE(odd.is_transparent());
+    EXPECT_FALSE(odd.has_angled_mirror());
 }
 
 }  // namespace

@@ -44,7 +44,36 @@ def refraction(name, objects, head=HEAD):
     return rule("refraction_" + name, ROOM + objects, head=head + CAMERA + LIGHT)
 
 
-RULES = [
+def fresnel(name, objects, more=""):
+    return refraction("fresnel_" + name, objects + more)
+
+
+def clear(reflection, ior=1.5, color="rgbf <0.95, 0.95, 0.9, 0.9>", more=""):
+    return f"pigment {{ {color} }} finish {{ ambient 0 diffuse 0.1 phong 0.6 reflection {{ {reflection} }} {more} }} interior {{ ior {ior} }} "
+
+
+# Mirrors by Fresnel's equations, of opaque and of transparent objects.
+PAINT = "pigment { rgb <0.2, 0.3, 0.7> } finish { phong 0.6 "
+FRESNEL = [
+    fresnel("opaque", BALL + PAINT + "reflection { 0.8 fresnel } } interior { ior 1.5 } }"),
+    fresnel("two_values", BALL + PAINT + "reflection { 0.1, 0.9 fresnel on falloff 3 } } interior { ior 2 } }"),
+    fresnel("metallic", BALL + PAINT + "reflection { <0.1, 0.05, 0.02>, <1, 0.5, 0.2> fresnel metallic } } interior { ior 1.3 } }"),
+    fresnel("off", BALL + PAINT + "reflection { 0.1, 0.9 fresnel off } } interior { ior 2 } }"),
+    fresnel("kept", BALL + PAINT + "reflection { 0.1, 0.9 fresnel } reflection { 0.2, 0.6 } } interior { ior 2 } }"),
+    fresnel("without_ior", BALL + PAINT + "reflection { 0.1, 0.9 fresnel } } }"),
+    fresnel("camera_inside", "sphere { <0, 1.5, -5>, 2.2 " + PAINT + "reflection { 0.1, 0.9 fresnel } } interior { ior 1.2 } pigment { rgbt 0.9 } }"),
+    fresnel("glass", BALL + clear("1 fresnel") + "}"),
+    fresnel("dense", BOX + clear("1 fresnel", 2) + "rotate 30*y }"),
+    fresnel("thin", BOX + clear("0.1, 0.9 fresnel", 0.8) + "rotate 30*y }"),
+    fresnel("plane", "plane { y, 0.5 " + clear("1 fresnel", 1.33) + "}"),
+    fresnel("opaque_in_water", "plane { y, 0.5 " + clear("1 fresnel", 1.33) + "} sphere { <0, 0.6, -1>, 0.4 pigment { rgb x } }"),
+    *[fresnel(name, before + clear("0.9 fresnel", 1.4) + after) for name, (before, after) in SHAPES.items() if name in ("difference", "torus", "mesh")],
+    fresnel("conserve", BALL + clear("0.1, 1 fresnel", more="conserve_energy") + "}"),
+    refraction("conserve", BALL + clear("0.7", 1, "rgbt <0.9, 0.95, 1, 0.8>", "conserve_energy") + "}"),
+    refraction("conserve_metallic", BALL + clear("0.1, 0.8 falloff 2 metallic", 1.2, "rgbf <0.9, 0.5, 0.3, 0.8>", "conserve_energy") + "}"),
+]
+
+RULES = FRESNEL + [
     refraction("sphere", BALL + GREEN + "}"),
     refraction("two_levels", BALL + GREEN + "}", HEAD.replace("12", "2")),
     refraction("own_light", BALL + glass("<0.6, 0.9, 0.7, 0.6>", 1.3, "rgbt", "finish { ambient 0.1 diffuse 0.6 phong 0.5 }") + "}"),

@@ -21,11 +21,11 @@ bool is_unlit(const Material& m) {
 
 bool has_finish(const Material& m) {
     return m.brilliance != 1 || m.metallic != 0 || m.phong != Color{} || !m.tinted_highlight ||
-           m.angled_opacity || m.outline != 0 || (m.mirror > 0 && m.mirror_falloff > 0);
+           m.angled_opacity || m.outline != 0 || (m.mirror > 0 && m.has_angled_mirror());
 }
 
 // Along the normal.
-double mirror_of(const Material& m) { return m.mirror_falloff > 0 ? m.mirror_min : m.mirror; }
+double mirror_of(const Material& m) { return m.has_angled_mirror() ? m.mirror_min : m.mirror; }
 
 // A mirror of half the light or more is a metal, which programs show best. A weaker one is what a
 // dielectric reflects at a right angle: its own color is seen beside it.

@@ -121,12 +121,13 @@ void TextureParser::read_reflection(Finish& finish) {
         return;
     }
     take();
-    bool has_min = false;
+    bool is_fresnel = false;
+    int colors = 0;
     while (!failed() && !accept('}')) {
         switch (peek().word()) {
             case Word::k_fresnel:
                 take();
-                finish.reflection_fresnel = flag();
+                finish.reflection_fresnel = is_fresnel = flag();
                 break;
             case Word::k_falloff:
                 take();
@@ -142,11 +143,11 @@ void TextureParser::read_reflection(Finish& finish) {
                 break;
             default:
                 finish.reflection_max = rgb_of(color(true));
-                if (!has_min) finish.reflection_min = finish.reflection_max;
-                has_min = true;
+                if (++colors == 1) finish.reflection_min = finish.reflection_max;
         }
         accept(',');
     }
+    if (is_fresnel && colors == 1) finish.reflection_min = {0, 0, 0};
 }
 
 }  // namespace glint::povray

@@ -140,9 +140,11 @@ std::uint32_t SceneBuilder::material_of(const Inherited& own, const Token& at) {
         m.mirror_metallic = std::clamp(f.reflection_metallic, 0.0, 1.0);
         if (!(f.reflection_min == f.reflection_max)) {
             m.mirror_min = std::clamp(largest(f.reflection_min), 0.0, 1.0);
-            m.mirror_falloff = std::max(f.reflection_falloff, 1e-6);
+            m.mirror_fresnel = f.reflection_fresnel;
+            if (!m.mirror_fresnel) m.mirror_falloff = std::max(f.reflection_falloff, 1e-6);
         }
     }
+    m.conserve_energy = f.conserve_energy && m.mirror > 0 && (p[3] > 0 || p[4] > 0 || m.texture != k_none);
     m.filter = std::clamp(p[3], 0.0, 1.0);
     m.transmit = std::clamp(p[4], 0.0, 1.0 - m.filter);
     m.casts_shadow = !own.is_no_shadow;
@@ -199,7 +201,6 @@ void SceneBuilder::report_texture(const Inherited& own, const Token& at) {
     check(f.crand != 0, "crand", "a property of a finish");
     check(f.diffuse_back != 0, "diffuse", "of the far side");
     const bool is_mirror = largest(f.reflection_max) > 0;
-    check(is_mirror && f.reflection_fresnel, "fresnel", "of a reflection");
     check(is_mirror && largest(f.reflection_max) > 1, "reflection", "above 1");
     // The two colors are the same but for their size.
     const double least = largest(f.reflection_min), most = largest(f.reflection_max);
@@ -207,7 +208,11 @@ void SceneBuilder::report_texture(const Inherited& own, const Token& at) {
     const double apart = number::abs(a.r - b.r) + number::abs(a.g - b.g) + number::abs(a.b - b.b);
     check(is_mirror && least > 0 && apart > 1e-9, "reflection", "of two colors");
     check(is_mirror && f.reflection_exponent != 1, "reflection_exponent", "");
-    check(is_mirror && (is_transparent || texture.below) && f.conserve_energy, "conserve_energy", "");
+    check(is_mirror && texture.below && f.conserve_energy, "conserve_energy", "of layered textures");
+    // POV-Ray's weight of a ray is a number, not a color: it follows such rays further (measured).
+    const Color r = f.reflection_max;
+    check(is_mirror && is_transparent && f.conserve_energy && !(r.r == r.g && r.g == r.b), "conserve_energy",
+          "of a colored reflection");
 }
 
 }  // namespace glint::povray

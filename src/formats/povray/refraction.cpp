@@ -46,7 +46,7 @@ void SceneBuilder::make_all_refract() {
 
 void SceneBuilder::forget_refraction() {
     for (Material& m : scene_.materials) {
-        if (m.refracts) m.ior = Material{}.ior;
+        if (m.refracts && !m.mirror_fresnel) m.ior = Material{}.ior;
         m.refracts = false;
     }
 }
@@ -58,7 +58,7 @@ void SceneBuilder::check_refraction() {
     const auto refracting_material = [&](std::uint32_t number) -> const Material* {
         if (number >= scene_.materials.size()) return nullptr;
         const Material& m = scene_.materials[number];
-        return m.refracts && is_passed(m) ? &m : nullptr;
+        return m.refracts && (is_passed(m) || m.mirror_fresnel) ? &m : nullptr;
     };
     const auto material_of = [&](const Shape& shape) {
         const Material* found = refracting_material(shape.material);
@@ -83,6 +83,10 @@ void SceneBuilder::check_refraction() {
         around.clear();
         for (std::size_t k = i + 1; k < all.size(); ++k) {
             if (!are_together(all[i], all[k])) continue;
+            const Material &a = *material_of(shapes[all[i]]), &b = *material_of(shapes[all[k]]);
+            if (!is_passed(a) && !is_passed(b)) continue;
+            if (a.mirror_fresnel || b.mirror_fresnel)
+                return report({"fresnel", "of an object within a transparent one", *refracts_at_});
             if (scene_.fog && hollow_at_)
                 return report(
                     {"fog", "inside of hollow objects that refract, within another one", *hollow_at_});

@@ -28,7 +28,7 @@ void Reader::use_background(bool is_new) {
     const double transmit = is_new ? std::clamp(background_[4], 0.0, 1.0) : 0;
     const bool has_mirrors =
         std::any_of(scene_.materials.begin(), scene_.materials.end(),
-                    [](const Material& m) { return m.mirror > 0 || m.mirror_falloff > 0; });
+                    [](const Material& m) { return m.mirror > 0 || m.has_angled_mirror(); });
     if (transmit > 0 && !scene_.gradient && has_mirrors &&
         number::max(color.r, number::max(color.g, color.b)) > 0) {
         builder_.report(

@@ -59,7 +59,7 @@ void SceneBuilder::check_size(const Token& scene_at) {
 // are (measured; by default it shows little).
 void SceneBuilder::check_bailout() {
     if (!high_bailout_) return;
-    const auto turns = [](const Material& m) { return m.mirror_falloff > 0 && m.mirror_min < m.mirror; };
+    const auto turns = [](const Material& m) { return m.has_angled_mirror() && m.mirror_min < m.mirror; };
     if (std::any_of(scene_.materials.begin(), scene_.materials.end(), turns))
         report({"adc_bailout", "with reflections by the angle", *high_bailout_});
 }

@@ -152,7 +152,7 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
     SecondaryWeights b = secondary_weights<plain>(world, material, surface, a, refracts, from_inside, weight);
     auto straight = through, bent = first_lanes<double>(0);
     if (transparent && any(through)) {
-        weight_straight_rays(world, transparency_of(world, material, surfaces, h), through, weight, b);
+        weight_straight_rays(world, material, surfaces, h, a, through, weight, b);
         Vector3<Doubles> fade = lanes_of(Vec3{1, 1, 1});
         if (world.uses<&Material::fade_distance>()) {
             fade = fades_at(world, surfaces, h, to_bits(through));

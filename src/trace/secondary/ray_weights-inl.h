@@ -101,11 +101,14 @@ HWY_INLINE SecondaryWeights secondary_weights(const WorldParts& world, const Mat
 }
 
 /// Completes the weights for transparent surfaces (`through`): that of the ray straight through is
-/// transmit + filter * color.
-HWY_INLINE void weight_straight_rays(const WorldParts& world, const TransparencyLanes& transparency,
-                                     LaneMask<double> through, Vector3<Doubles> weight, SecondaryWeights& b) {
+/// seen_through(). a: mirror_of().
+HWY_INLINE void weight_straight_rays(const WorldParts& world, const MaterialLanes& material,
+                                     const SurfaceBatch& surfaces, int h, Doubles a, LaneMask<double> through,
+                                     Vector3<Doubles> weight, SecondaryWeights& b) {
     const Conventions& rules = world.conventions;
-    b.transmitted = select_vector3(through, weight * transparency.through(), b.transmitted);
+    const TransparencyLanes transparency = transparency_of(world, material, surfaces, h);
+    b.transmitted = select_vector3(
+        through, weight * seen_through(world, material, transparency, surfaces, h, a), b.transmitted);
     b.fresnel = select(through, Doubles(0), b.fresnel);
     if (rules.transparency == Transparency::blend)
         b.reflected = select_vector3(through, b.reflected * transparency.opacity(rules.opacity), b.reflected);

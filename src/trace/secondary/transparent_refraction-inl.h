@@ -18,35 +18,6 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// n1 / n2 of a ray through a surface, and the objects that it is inside after that.
-struct Passage {
-    double ratio = 1, inside = 0;
-};
-
-/// inside: RayFields::interiors, the word of the set and, times 2^32, 20 bits of the word of the object that
-/// was entered last. A ray travels in that object (POV-Ray, measured). Of more than two objects, the order is
-/// not known; ratio is 1 then.
-GLINT_SMALL Passage pass_surface(const WorldParts& world, SurfaceId id, double inside) {
-    const auto both = static_cast<std::uint64_t>(inside);
-    const std::uint32_t unbent = world.interiors.unbent;
-    const std::uint32_t set = static_cast<std::uint32_t>(both) ^ unbent,
-                        last = static_cast<std::uint32_t>(both >> 32);
-    const std::uint32_t own = interior_word(world, id), rest = set ^ own;
-    const auto mark = [](std::uint32_t word) { return word >> 12; };
-    const auto inside_of = [&](std::uint32_t top) {
-        return static_cast<double>(std::uint64_t{rest ^ unbent} | std::uint64_t{rest != 0 ? top : 0} << 32);
-    };
-    if (!refracts(world, id)) return {1, inside_of(last)};
-    const double ior = world.material(material_row(world, id))[k_ior];
-    if (set == 0) return {1 / ior, inside_of(mark(own))};
-    if (rest == 0) return {ior, inside_of(0)};
-    if (const auto* const around = only_refracting(world, set))
-        return {around->ior / ior, inside_of(mark(own))};
-    const auto* const around = only_refracting(world, rest);
-    if (around == nullptr || last != mark(own)) return {1, inside_of(last)};
-    return {ior / around->ior, inside_of(mark(rest))};
-}
-
 /// The factors of the light that leaves objects through the surfaces whose bits are set
 /// (Material::fade_distance).
 GLINT_SMALL Vector3<Doubles> fades_at(const WorldParts& world, const SurfaceBatch& surfaces, int h,
@@ -70,14 +41,7 @@ GLINT_SMALL LaneMask<double> refract_straight_rays(const WorldParts& world, cons
                                                    int h, const SurfacePoint<Doubles>& surface,
                                                    LaneMask<double> through, const Vector3<Doubles>& fade,
                                                    SecondaryWeights& b) noexcept {
-    alignas(k_ray_alignment) double ratios[lane_count<double>()];
-    std::fill_n(ratios, lane_count<double>(), 1.0);
-    for (std::uint32_t bits = to_bits(through); bits != 0; bits &= bits - 1) {
-        const int k = __builtin_ctz(bits);
-        const auto at = static_cast<std::size_t>(h + k);
-        ratios[k] = pass_surface(world, surfaces.surface(h + k), surfaces.interiors[at]).ratio;
-    }
-    const Doubles ratio = load(ratios), one(1), zero(0);
+    const Doubles ratio = index_ratios(world, surfaces, h, to_bits(through)), one(1), zero(0);
     const auto bent = ratio < one || ratio > one;
     if (!any(bent)) return bent;
     const auto away = dot(surface.normal, surface.incoming) > zero;

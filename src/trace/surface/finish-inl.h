@@ -10,6 +10,7 @@
 
 #include "lighting/finish-inl.h"
 #include "trace/surface/material-inl.h"
+#include "trace/surface/passage-inl.h"
 #include "world/appearance/fade.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -115,11 +116,17 @@ template <bool plain = false>
 HWY_INLINE Doubles mirror_of(const WorldParts& world, const MaterialLanes& material,
                              const SurfaceBatch& surfaces, int h) {
     const Doubles a = material.value(k_mirror);
-    if (plain || !world.uses<&Material::mirror_falloff>()) return a;
+    if (plain) return a;
+    const bool fresnel = world.uses<&Material::mirror_fresnel>();
+    if (!fresnel && !world.uses<&Material::mirror_falloff>()) return a;
     const ExtendedLanes extended(material);
-    return angled_mirror(extended.value<&Material::mirror_min>(), a,
-                         extended.value<&Material::mirror_falloff>(),
-                         incidence(load_vector3(surfaces.normal, h), load_vector3(surfaces.incoming, h)));
+    const Doubles least = extended.value<&Material::mirror_min>(),
+                  cosine = incidence(load_vector3(surfaces.normal, h), load_vector3(surfaces.incoming, h));
+    const Doubles angled = angled_mirror(least, a, extended.value<&Material::mirror_falloff>(), cosine);
+    if (!fresnel) return angled;
+    const Doubles part = surface_reflectance(world, material, surfaces, h, cosine);
+    return select(extended.value<&Material::mirror_fresnel>() > Doubles(0), least + (a - least) * part,
+                  angled);
 }
 
 /// The factor of diffuse light and of the light from all directions, if the world uses outlines; else 1.
@@ -160,6 +167,19 @@ HWY_INLINE Vector3<Doubles> mirror_tint_of(const WorldParts& world, const Materi
     return tint * metal_tint(material.color(k_color),
                              ExtendedLanes(material).value<&Material::mirror_metallic>(),
                              incidence(normal, incoming));
+}
+
+/// The factor of what the eye sees through the surfaces at h. a: mirror_of().
+HWY_INLINE Vector3<Doubles> seen_through(const WorldParts& world, const MaterialLanes& material,
+                                         const TransparencyLanes& transparency, const SurfaceBatch& surfaces,
+                                         int h, Doubles a) {
+    const Vector3<Doubles> through = transparency.through();
+    if (!world.uses<&Material::conserve_energy>()) return through;
+    const Doubles conserves = ExtendedLanes(material).value<&Material::conserve_energy>();
+    const Vector3<Doubles> mirror = mirror_tint_of(world, material, load_vector3(surfaces.normal, h),
+                                                   load_vector3(surfaces.incoming, h)) *
+                                    a;
+    return through * (lanes_of(Vec3{1, 1, 1}) - mirror * conserves);
 }
 
 }  // namespace HWY_NAMESPACE
