@@ -137,8 +137,8 @@ TEST(PovrayLayers, NamedPatternsCanBeChanged) {
         "pigment { wood scale 2 }}\n#declare P = pigment { wood scale 2 }\n"
         "sphere { 0, 1 pigment { P color_map { [0 rgb x] [1 rgb y] } phase 0.25 }");
     ASSERT_TRUE(scene) << messages(scene);
-    ASSERT_EQ(scene->textures.size(), 1u);
-    const Texture& t = scene->textures[0];
+    ASSERT_EQ(scene->textures.size(), 2u);
+    const Texture& t = scene->textures[1];
     EXPECT_EQ(t.mapping, TextureMapping::rings);
     EXPECT_EQ(t.color_map, (std::vector<TextureColor>{{0, {1, 0, 0}}, {1, {0, 1, 0}}}));
     EXPECT_EQ(t.world_from_texture.m[0][0], 2);

@@ -33,6 +33,46 @@ TEST(PovrayPatterns, HaveTheColorsOfTheirMap) {
     EXPECT_EQ(t.filter, TextureFilter::bilinear);
 }
 
+TEST(PovrayPatterns, WithoutAMapHaveTheirOwnColors) {
+    const std::vector<TextureColor> grays{{0, {0, 0, 0}}, {1, {1, 1, 1}}};
+    for (const char* gray : {"onion", "gradient x", "leopard", "planar", "spiral1 3"})
+        EXPECT_EQ(pattern_texture(gray).color_map, grays) << gray;
+    const std::vector<TextureColor> wood = pattern_texture("wood triangle_wave").color_map;
+    ASSERT_EQ(wood.size(), 2u);
+    EXPECT_NEAR(wood[0].at, 0.6, 1e-6);
+    EXPECT_NEAR(wood[0].color.r, 0.666, 1e-6);
+    EXPECT_NEAR(wood[1].color.g, 0.1333, 1e-6);
+    EXPECT_EQ(pattern_texture("marble").color_map.back().color, (Color{0, 0, 0}));
+    EXPECT_EQ(pattern_texture("radial").color_map.size(), 4u);
+    const Result<Scene> bozo = read_pattern_ball("bozo");
+    ASSERT_TRUE(bozo);
+    EXPECT_EQ(bozo->textures.at(0).color_map.back().color, (Color{1, 0, 0}));
+    EXPECT_NE(messages(bozo).find("glint has its own, with another grain"), std::string::npos);
+}
+
+// POV-Ray keeps the colors of the pattern before, also those of #default.
+TEST(PovrayPatterns, WithoutAMapHaveTheOneBeforeThem) {
+    const auto read = [](const std::string& before, const std::string& pigment) {
+        return read_povray(before + "\nsphere { 0, 1 pigment { " + pigment + " } }");
+    };
+    const std::string two = "pigment { onion color_map { [0 rgb x] [1 rgb y] } }";
+    const std::vector<TextureColor> colors{{0, {1, 0, 0}}, {1, {0, 1, 0}}};
+    for (const auto& [before, pigment] :
+         {std::pair("#declare P = " + two, "P wood"), std::pair("#default { " + two + " }", "marble")}) {
+        const Result<Scene> scene = read(before, pigment);
+        ASSERT_TRUE(scene);
+        EXPECT_EQ(scene->textures.at(0).color_map, colors) << pigment;
+        EXPECT_EQ(messages(scene), "");
+    }
+    for (const char* before : {"checker rgb x rgb y", "crackle color_map { [0 rgb x] [1 rgb y] }"}) {
+        EXPECT_NE(messages(read("#declare P = pigment { " + std::string(before) + " }", "P wood"))
+                      .find("does not render `wood` (a pattern)"),
+                  std::string::npos)
+            << before;
+    }
+    EXPECT_EQ(messages(read("#declare P = pigment { rgb x }", "P wood")), "");
+}
+
 TEST(PovrayPatterns, CheckersHaveTwoColors) {
     const std::vector<TextureColor> usual{{0, {0, 0, 1}}, {0.5, {0, 1, 0}}};
     EXPECT_EQ(pattern_texture("checker").color_map, usual);
@@ -155,7 +195,7 @@ TEST(PovrayPatterns, ATransformMovesThem) {
 TEST(PovrayPatterns, WhatIsNotDrawnIsSaid) {
     for (const std::string& pigment :
          {mapped("crackle"), mapped("onion", "warp { turbulence 0.3 }"), mapped("onion", "frequency 1.5"),
-          mapped("spherical", "frequency 2"), mapped("gradient x", "sine_wave"), std::string("onion"),
+          mapped("spherical", "frequency 2"), mapped("gradient x", "sine_wave"),
           std::string("onion color_map { [0.5 rgb 1] [0.2 rgb 0] }"), std::string("brick brick_size 0"),
           mapped("mandel 0"), mapped("mandel 2e6"), mapped("mandel 9 exponent 3"),
           mapped("mandel 9", "phase 0.5"), mapped("spiral1 2", "frequency 1.5"), mapped("spiral2 2"),

@@ -60,6 +60,12 @@ RULES = [
     rule("marble", BALL % mapped("marble")),
     rule("radial", BALL % mapped("radial")),
     rule("radial_frequency", BALL % mapped("radial frequency 6")),
+    *[rule(f"{name}_default", BALL % pigment(f"{word} {items}", PLACE)) for name, word, items in (
+        ("wood", "wood", ""), ("marble", "marble", ""), ("radial", "radial", "frequency 3"), ("onion", "onion", ""),
+        ("gradient", "gradient y", "triangle_wave"), ("mandel", "mandel 40", "scale 0.6"), ("leopard", "leopard", "scale 0.1"))],
+    rule("default_kept", "#declare P = " + f"pigment {{ onion {MAP} }}\n" + BALL % pigment("P wood", PLACE)),
+    rule("default_of_plain", "#declare P = pigment { rgb x }\n" + BALL % pigment("P marble", PLACE)),
+    sky("sky_default", "pigment { gradient y }"),
     rule("spherical", BALL % mapped("spherical", "scale 1.3 translate 0.4*x")),
     rule("cylindrical", BALL % mapped("cylindrical", "rotate 20*z")),
     rule("planar", BALL % mapped("planar", "rotate 20*z")),

@@ -9,6 +9,41 @@
 namespace glint::povray {
 namespace {
 
+// The colors of patterns without a map, as measured in POV-Ray's pictures. Those of others go from black to
+// white.
+struct DefaultColor {
+    std::string_view word;
+    float at, r, g, b;
+};
+constexpr DefaultColor k_default_colors[] = {
+    {"wood", 0.6F, 0.666F, 0.312F, 0.2F},
+    {"wood", 0.6F, 0.4F, 0.1333F, 0.066F},
+    {"marble", 0, 0.9F, 0.8F, 0.8F},
+    {"marble", 0.9F, 0.9F, 0.08F, 0.08F},
+    {"marble", 0.9F, 0, 0, 0},
+    {"radial", 0, 0, 1, 1},
+    {"radial", 0.333F, 1, 1, 0},
+    {"radial", 0.666F, 1, 0, 1},
+    {"radial", 1, 0, 1, 1},
+    {"bozo", 0.4F, 1, 1, 1},
+    {"bozo", 0.4F, 0, 1, 0},
+    {"bozo", 0.6F, 0, 1, 0},
+    {"bozo", 0.6F, 0, 0, 1},
+    {"bozo", 0.8F, 0, 0, 1},
+    {"bozo", 0.8F, 1, 0, 0},
+    {"agate", 0, 1, 1, 1},
+    {"agate", 0.5F, 0.95F, 0.75F, 0.5F},
+    {"agate", 0.5F, 0.9F, 0.7F, 0.5F},
+    {"agate", 0.6F, 0.9F, 0.7F, 0.4F},
+    {"agate", 0.6F, 1, 0.7F, 0.4F},
+    {"agate", 1, 0.6F, 0.3F, 0},
+    {"mandel", 0.001F, 0, 0, 0},
+    {"mandel", 0.001F, 0, 1, 1},
+    {"mandel", 0.012F, 1, 1, 0},
+    {"mandel", 0.015F, 1, 0, 1},
+    {"mandel", 0.1F, 0, 1, 1},
+};
+
 constexpr std::size_t k_max_map = 256;  // entries of a color_map; POV-Ray's limit
 
 bool is_in_order(const CountedVector<ColorMapEntry>& map) {
@@ -42,6 +77,14 @@ CountedVector<ColorMapEntry> from_0_to_1(const CountedVector<ColorMapEntry>& map
 }
 
 }  // namespace
+
+CountedVector<ColorMapEntry> TextureParser::default_map(std::string_view word) {
+    CountedVector<ColorMapEntry> map;
+    for (const DefaultColor& c : k_default_colors)
+        if (c.word == word) map.push_back({c.at, {c.r, c.g, c.b}});
+    if (map.empty()) map = {{0, {}}, {1, {1, 1, 1}}};
+    return map;
+}
 
 // Makes a map one of places from 0 to 1. False if its places are not in order.
 bool TextureParser::use_from_0_to_1(CountedVector<ColorMapEntry>& map) {

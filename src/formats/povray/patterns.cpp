@@ -145,6 +145,7 @@ std::optional<Change> change_of(const PatternRow& row, const PatternItems& items
 void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optional<Affine>& map,
                                  PatternParts& parts) {
     const PatternRow* const row = find_pattern(text_of(item));
+    const CountedVector<ColorMapEntry> kept = map_without_own(pigment, row);
     pigment.missing = missing(item, text_of(item));
     pigment.missing->meaning = "a pattern";
     // What a named pigment before it had, or the default one. POV-Ray keeps what is not its pattern.
@@ -176,6 +177,7 @@ void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optio
     PatternItems& items = source.items;
     read_pattern_items(items, map, parts);
     if (failed()) return;
+    if (items.map.empty() && texture.color_map.empty()) items.map = kept;
     const bool is_plain = items.frequency == 1 && items.phase == 0 && !items.is_triangle.value_or(false);
     if (row->word == "gradient" && items.is_known && parts.are_plain && is_plain &&
         items.turbulence == Vec3{}) {
@@ -187,6 +189,16 @@ void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optio
     if (loses && !pigment.missing)
         pigment.missing = {text_of(item), "in place of another pattern, whose transforms POV-Ray keeps",
                            call_place(item)};
+}
+
+// The map of a pattern that has none of its own: what the pigment had before it, or the pattern's default
+// one. Nothing if it is not known.
+CountedVector<ColorMapEntry> TextureParser::map_without_own(const Pigment& before, const PatternRow* row) {
+    if (row == nullptr || (before.missing && !before.image)) return {};
+    if (before.pattern)
+        return before.pattern->texture.color_map.empty() ? before.pattern->items.map
+                                                         : CountedVector<ColorMapEntry>();
+    return before.image || before.under ? CountedVector<ColorMapEntry>() : default_map(row->word);
 }
 
 const PatternRow* TextureParser::find_pattern(std::string_view word) {

@@ -108,6 +108,8 @@ class TextureParser : public ValueParser {
     void read_reflection(Finish& finish);
     void read_pattern(Pigment& pigment, const Token& item, std::optional<Affine>& map, PatternParts& parts);
     static const PatternRow* find_pattern(std::string_view word);
+    static CountedVector<ColorMapEntry> map_without_own(const Pigment& before, const PatternRow* row);
+    static CountedVector<ColorMapEntry> default_map(std::string_view word);
     void read_average(Pigment& pigment, std::optional<Affine>& map);
     void average(Pigment& pigment, const CountedVector<WeightedPigment>& parts);
     void change_pattern(Pigment& pigment, std::optional<Affine>& map);
