@@ -108,6 +108,36 @@ TEST(PovRay, IncludesAreReadOnceBesideTheTextOrFromItsTable) {
     EXPECT_NEAR(named.materials.at(0).color.g, 0.419608 / 2, k_pov_near);
 }
 
+// The numbers are those of POV-Ray's #debug.
+TEST(PovRay, ColorsIncHasItsMacrosOfHues) {
+    const auto color = [](const std::string& value) {
+        const Scene scene = povray_scene("#include \"colors.inc\"\n#declare C = " + value +
+                                         ";\nsphere { <C.red, C.green, C.blue>, 1 translate <0, 0, 0> }");
+        return scene.get<Sphere>().at(0).center;
+    };
+    const auto expect = [](Vec3 found, Vec3 wanted) {
+        EXPECT_NEAR(found.x, wanted.x, 1e-5);
+        EXPECT_NEAR(found.y, wanted.y, 1e-6);
+        EXPECT_NEAR(found.z, wanted.z, 1e-6);
+    };
+    expect(color("CRGB2HSL(rgb <0.2, 0.5, 0.8>)"), {210, 0.6, 0.5});
+    expect(color("CRGB2HSV(rgb <0.2, 0.5, 0.8>)"), {210, 0.75, 0.8});
+    expect(color("CRGB2HSL(rgb <0.9, 0.1, 0.3>)"), {-15, 0.8, 0.5});
+    expect(color("CRGB2HSL(<0.3, 0.9, 0.2>)"), {111.4285736, 0.7777777, 0.55});
+    expect(color("CRGB2HSV(rgb 0)"), {0, 0, 0});
+    expect(color("CRGB2HSL(rgb 1)"), {0, 0, 1});
+    expect(color("CHSL2RGB(<200, 0.7, 0.8>)"), {0.66, 0.8466667, 0.94});
+    expect(color("CHSV2RGB(<359, 1, 1>)"), {1, 0, 0.0166667});
+    expect(color("CHSL2RGB(<-400, 0.5, 0.5>)"), {0.75, 0.25, 0.5833333});
+    expect(color("rgb CH2RGB(800)"), {0.6666667, 1, 0});
+    expect(color("rgb CRGB2H(rgb <0.2, 0.5, 0.8>, 0.8, 0.6)"), {210, 210, 210});
+    const Scene scene = povray_scene(
+        "#include \"colors.inc\"\nsphere { 0, 1 pigment { color CHSV2RGB(<60, 0.3, 0.7, 0.2, 0.4>) } }");
+    EXPECT_EQ(scene.materials.at(0).filter, 0.2);
+    EXPECT_EQ(scene.materials[0].transmit, 0.4);
+    EXPECT_NEAR(scene.materials[0].color.b, 0.49, k_pov_near);
+}
+
 TEST(PovRay, ShapesHaveTheirParameters) {
     const Scene scene = povray_scene(
         "sphere { <1, 2, 3>, 4 }\n"

@@ -120,6 +120,10 @@ RULES = [
     rule("splines", "#declare S = spline { -1, <-2, 0, 0>, 0, <-1, 1.6, 0>, 0.8, <0, -0.5, 1>, 2, <1, 1.5, 0.3>, 2.2, <2, 0, 0> }\n" + FLOOR +
          "#for (T, -1.2, 2.4, 0.05) sphere { S(T), 0.1 pigment { rgb x } } sphere { S(T, quadratic_spline), 0.08 pigment { rgb y } }\n"
          "sphere { S(T, cubic_spline), 0.09 pigment { rgb z } } sphere { S(T, natural_spline), 0.08 pigment { rgb x + y } } #end\n"),
+    rule("hues", '#include "colors.inc"\n' + FLOOR + "#for (I, 0, 29) #declare C = CHSL2RGB(<I*47 - 300, mod(I, 7)/6, I/29>); #declare D = CRGB2HSV(C);\n"
+         "sphere { <mod(I, 6)*0.6 - 1.5, div(I, 6)*0.5 - 0.6, 0>, 0.25 pigment { color C } finish { ambient 0.3 } }\n"
+         "sphere { <mod(I, 6)*0.6 - 1.5, div(I, 6)*0.5 - 0.6, 0.7>, 0.25 pigment { color CHSV2RGB(<D.red + 90, D.green/2, D.blue>) } } #end\n"
+         "sphere { <2.2, 0, 0>, 0.4 pigment { rgb CH2RGB(CRGB2H(rgb <0.25, 0.75, 0.375>, 0.75, 0.5)) } }\n"),
     # Spellings that POV-Ray takes beside those of its documentation.
     rule("spellings", "declare P = pigment { rgb <0.9, 0.3, 0.2> }\n#declare B = sphere { 0, 0.7 texture { P finish { phong 0.5 } } }\n"
          "#declare M = mesh2 { vertex_vectors { 3, <-2, 0, 1>, <0, 2, 1>, <2, 0, 1> } face_indices { 1, <0, 1, 2> } }\n" + FLOOR +

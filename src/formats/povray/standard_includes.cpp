@@ -145,6 +145,25 @@ constexpr NamedColor k_colors[] = {
     {"YellowGreen", {0.6, 0.8, 0.196078}},
 };
 
+// The macros of colors.inc, by the usual formulas of HSL and HSV, in POV-Ray's units: a hue in degrees, of
+// which that of a color is between -60 and 300.
+constexpr std::string_view k_macros =
+    "#macro CH2RGB(H) #local D=H/60-6*floor(H/360);"
+    "<min(1,max(0,abs(D-3)-1)),min(1,max(0,2-abs(D-2))),min(1,max(0,2-abs(D-4)))>#end\n"
+    "#macro CRGB2H(C,M,S) #if(S=0) 0 #else #if(C.red=M) (60*(C.green-C.blue)/S) #else "
+    "#if(C.green=M) (120+60*(C.blue-C.red)/S) #else (240+60*(C.red-C.green)/S) #end #end #end #end\n"
+    "#macro CHSL2RGB(C) #local D=C+<0,0,0,0,0>;"
+    "#local R=D.blue+(1-abs(2*D.blue-1))*D.green*(CH2RGB(D.red)-0.5);"
+    "#local E=rgbft<R.x,R.y,R.z,D.filter,D.transmit>;E #end\n"
+    "#macro CHSV2RGB(C) #local D=C+<0,0,0,0,0>;#local R=D.blue*(1+D.green*(CH2RGB(D.red)-1));"
+    "#local E=rgbft<R.x,R.y,R.z,D.filter,D.transmit>;E #end\n"
+    "#macro CRGB2HSL(C) #local D=C+<0,0,0,0,0>;#local M=max(D.red,D.green,D.blue);"
+    "#local S=M-min(D.red,D.green,D.blue);#local L=M-S/2;"
+    "#local E=rgbft<CRGB2H(D,M,S),#if(S=0) 0 #else S/(1-abs(2*L-1)) #end,L,D.filter,D.transmit>;E #end\n"
+    "#macro CRGB2HSV(C) #local D=C+<0,0,0,0,0>;#local M=max(D.red,D.green,D.blue);"
+    "#local S=M-min(D.red,D.green,D.blue);"
+    "#local E=rgbft<CRGB2H(D,M,S),#if(S=0) 0 #else S/M #end,M,D.filter,D.transmit>;E #end\n";
+
 // The finishes of finish.inc.
 constexpr std::string_view k_finishes =
     "#declare Dull = finish { specular 0.5 roughness 0.15 }\n"
@@ -171,7 +190,8 @@ constexpr std::string_view k_metals =
     "reflection 0.8 }\n";
 
 std::string colors_text() {
-    std::string text = "#declare Clear = rgbf 1;\n#declare Mica = rgb 0;\n";
+    std::string text(k_macros);
+    text += "#declare Clear = rgbf 1;\n#declare Mica = rgb 0;\n";
     for (const NamedColor& named : k_colors) {
         text += fmt::format("#declare {} = rgb <{}, {}, {}>;\n", named.name, named.color.r, named.color.g,
                             named.color.b);
