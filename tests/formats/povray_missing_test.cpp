@@ -72,6 +72,21 @@ TEST(PovRayMissing, AMaterialAddsToTheInteriorBeforeIt) {
     EXPECT_EQ(inside("interior { fade_distance 9e-11 }"), std::pair(1.5, 0.0));
 }
 
+TEST(PovRayMissing, JitterIsNamedWhereItIsSeen) {
+    const auto is_named = [](const std::string& light, const std::string& rest = "sphere { 0, 1 }") {
+        const std::string text = "light_source { <0, 40, 9>, 1 area_light " + light + " jitter }\n" + rest;
+        return said(text).find("`jitter` (of an area light") != std::string::npos;
+    };
+    EXPECT_TRUE(is_named("3*x, 3*z, 3, 3"));
+    EXPECT_FALSE(is_named("3*x, 3*z, 3, 3", "sphere { 0, 1 no_shadow }"));
+    EXPECT_FALSE(is_named("3*x, 3*z, 3, 3 shadowless"));
+    EXPECT_TRUE(is_named("0.8*x, 0.8*z, 3, 3"));
+    EXPECT_FALSE(is_named("0.75*x, 0.75*z, 3, 3")) << "39 is above 100 * 0.375";
+    EXPECT_TRUE(is_named("0.75*x, 0.75*z, 3, 3", "plane { y, 0 }"));
+    EXPECT_TRUE(is_named("0.6*x, 0.6*z, 3, 1", "sphere { 0, 30 }"));
+    EXPECT_FALSE(is_named("0.6*x, 9*z, 3, 1", "sphere { 0, 1 }")) << "a side with one sample has no length";
+}
+
 TEST(PovRayMissing, TinyScenesAreNamed) {
     const std::string mirror = " finish { reflection .5 } }\nplane { y, -9 }";
     EXPECT_NE(said("camera { location -1*z }\nsphere { 0, 0.02" + mirror)

@@ -146,6 +146,12 @@ RULES = [
                           ("orient", "radius 12 falloff 20 area_light 1.2*x, 1.2*z, 5, 5 circular orient fade_distance 4 fade_power 2"),
                           ("one_sample", "radius 12 falloff 20 area_light 2*x, 2*z, 1, 1"),
                           ("scaled", "radius 12 falloff 20 area_light 1.2*x, 1.2*z, 4, 4 scale <1, 1.2, 0.8>"))],
+    # The places of the samples hardly change their shadows.
+    rule("jitter_far", "box { <-2, -1, -1>, <2, -0.8, 1> pigment { rgb <0.8, 0.7, 0.6> } }\nsphere { <0, 0.3, 0>, 0.7 " + SHINE + " }\n"
+         "light_source { <-20, 30, -20>, rgb 1.2 area_light 0.58*x, 0.58*z, 3, 3 adaptive 1 jitter }\n", head="#version 3.6;\n" + CAMERA),
+    rule("jitter_without_shadows", "plane { y, -1 pigment { rgb <0.8, 0.7, 0.6> } no_shadow }\nsphere { <0, 0.3, 0>, 0.7 no_shadow " + SHINE + " }\n"
+         "light_source { <-3, 4, -2>, rgb 1.2 area_light 2*x, 2*z, 3, 3 jitter }\n"
+         "light_source { <3, 4, -2>, rgb 0.4 area_light 2*x, 2*z, 3, 3 jitter shadowless }\n", head="#version 3.6;\n" + CAMERA),
     rule("conserve_energy", FLOOR + "sphere { <-1, 0, 0>, 0.9 pigment { rgb <0.3, 0.6, 0.9> } finish { phong 0.7 "
          "reflection { 0.1, 0.8 } conserve_energy } }\nsphere { <1, 0, 0>, 0.7 pigment { rgbt <1, 0.3, 0.2, 0.5> } "
          "finish { conserve_energy } }\n"),

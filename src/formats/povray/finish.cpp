@@ -1,11 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // What only the whole scene decides.
 #include <algorithm>
+#include <array>
+#include <limits>
 
 #include "formats/povray/clip.h"
+#include "formats/povray/reach.h"
 #include "formats/povray/scene_builder.h"
+#include "math/transform.h"
 
 namespace glint::povray {
+namespace {
+
+constexpr std::uint64_t k_max_jitter_steps = 100'000'000;
+// In steps between two samples. Measured at this distance: of a ball on a table that fills the picture, 99.8%
+// of the pixels are equal, of a molecule of ASE's 99.98%.
+constexpr double k_far_jitter = 100;
+
+}  // namespace
 
 // What is cut and casts no shadow stays whole if it is outside the picture.
 void SceneBuilder::check_clips() {
@@ -29,6 +41,7 @@ void SceneBuilder::check_clips() {
 void SceneBuilder::finish(const Token& scene_at) {
     check_parallel_lights();
     check_no_reflection();
+    check_jitter();
     check_clips();
     check_size(scene_at);
     check_bailout();
@@ -45,6 +58,48 @@ void SceneBuilder::check_no_reflection() {
     const auto is_mirror = [](const Material& m) { return m.mirror > 0 || m.mirror_min > 0; };
     if (no_reflection_ && (refracts_light() || std::any_of(all.begin(), all.end(), is_mirror)))
         report({"no_reflection", "", *no_reflection_});
+}
+
+// The places of an area light's samples decide only what is in shadow, and change it the less, the farther
+// the light is from the shapes.
+void SceneBuilder::check_jitter() {
+    const auto casts_shadow = [&](const Shape& shape) {
+        return shape.material >= scene_.materials.size() || scene_.materials[shape.material].casts_shadow;
+    };
+    if (jittered_.empty() || std::none_of(scene_.shapes.begin(), scene_.shapes.end(), casts_shadow)) return;
+    // The box of the scene: how far it reaches along -x, -y, -z, x, y and z.
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    std::array<double, 6> box;
+    const auto along = [](std::size_t i, Vec3 p) {
+        const double x = i % 3 == 0 ? p.x : i % 3 == 1 ? p.y : p.z;
+        return i < 3 ? -x : x;
+    };
+    const auto unit = [&](std::size_t i) {
+        return Vec3{along(i, {1, 0, 0}), along(i, {0, 1, 0}), along(i, {0, 0, 1})};
+    };
+    box.fill(-infinite);
+    std::uint64_t steps = 0;
+    for (const Shape& shape : scene_.shapes) {
+        // Many copies of large meshes are not searched to the end.
+        if ((steps += box.size() * reach_steps(scene_, shape)) > k_max_jitter_steps) {
+            box.fill(infinite);
+            break;
+        }
+        for (std::size_t i = 0; i < box.size(); ++i)
+            box[i] = std::max(box[i], reach(scene_, shape, unit(i)).value_or(infinite));
+    }
+    const auto step = [](Vec3 side, std::int32_t samples) {
+        return samples > 1 ? length(side) / (samples - 1) : 0.0;
+    };
+    for (const auto& [index, at] : jittered_) {
+        const Light& light = scene_.lights[index];
+        double distance = -infinite;
+        for (std::size_t i = 0; i < box.size(); ++i)
+            distance = std::max(distance, along(i, light.position) - box[i]);
+        if (distance <
+            k_far_jitter * std::max(step(light.side_u, light.samples_u), step(light.side_v, light.samples_v)))
+            report({"jitter", "of an area light: glint has its own, with another grain", at});
+    }
 }
 
 }  // namespace glint::povray

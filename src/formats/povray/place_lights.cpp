@@ -52,9 +52,8 @@ void SceneBuilder::place_light(const Object& object, const Inherited& own) {
             }
             // A side with one sample has no length in POV-Ray.
             if (light.samples_u == 1 && light.samples_v == 1) light.kind = kind;
-            if (light.is_area() && light.jitter)
-                report({"jitter", "of an area light: glint has its own, with another grain",
-                        stream_.call_place(object.at)});
+            if (light.is_area() && light.jitter && light.casts_shadows)
+                jittered_.push_back({scene_.lights.size(), stream_.call_place(object.at)});
         } else {
             report({"area_light", "of a parallel light", stream_.call_place(object.at)});
         }

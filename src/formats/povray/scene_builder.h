@@ -178,6 +178,7 @@ class SceneBuilder {
     void check_size(const Token& scene_at);
     void check_bailout();
     void check_no_reflection();
+    void check_jitter();
     void check_clips();
     void cut(const UncutShape& uncut);
 
@@ -213,6 +214,8 @@ class SceneBuilder {
     std::optional<Token> high_bailout_;       // adc_bailout above 1/255
     std::optional<Token> media_attenuation_;  // the last light with it
     std::optional<Token> no_reflection_;      // the first object with it
+    // Area lights with shadows and `jitter`: their numbers in the scene.
+    CountedVector<std::pair<std::size_t, Token>> jittered_;
     CountedVector<UncutShape> clips_;
     CountedVector<ShapeInteriors> interiors_;  // in the order of the shapes
     CountedVector<ShapesWithInside> with_inside_, fading_meshes_;
