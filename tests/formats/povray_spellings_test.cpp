@@ -103,7 +103,14 @@ TEST(PovRaySpellings, RefractionInAFinish) {
     };
     EXPECT_EQ(ior("finish { refraction 1 ior 1.5 }"), ior("interior { ior 1.5 }"));
     EXPECT_EQ(ior("finish { ior 1.25 } interior { ior 1.5 }"), ior("interior { ior 1.5 }"));
-    EXPECT_EQ(messages(read_povray("sphere { 0, 1 finish { refraction 0 ior 1.5 } }")), "");
+    for (const std::string finish : {"refraction 0 ior 1.5", "refraction 1.2 ior 1.5", "refraction .5"}) {
+        const std::string rest = " finish { " + finish + " } }";
+        EXPECT_EQ(messages(read_povray("sphere { 0, 1" + rest)), "") << "opaque";
+        EXPECT_NE(messages(read_povray("sphere { 0, 1 pigment { rgbt .5 }" + rest))
+                      .find("`refraction` (of a finish, other than 1)"),
+                  std::string::npos)
+            << finish;
+    }
 }
 
 TEST(PovRaySpellings, LinesMayEndWithCarriageReturnAlone) {

@@ -152,6 +152,8 @@ RULES = [
     rule("jitter_without_shadows", "plane { y, -1 pigment { rgb <0.8, 0.7, 0.6> } no_shadow }\nsphere { <0, 0.3, 0>, 0.7 no_shadow " + SHINE + " }\n"
          "light_source { <-3, 4, -2>, rgb 1.2 area_light 2*x, 2*z, 3, 3 jitter }\n"
          "light_source { <3, 4, -2>, rgb 0.4 area_light 2*x, 2*z, 3, 3 jitter shadowless }\n", head="#version 3.6;\n" + CAMERA),
+    rule("refraction_opaque", FLOOR + "sphere { <0, 0.3, 0>, 0.7 pigment { rgb <0.9, 0.6, 0.3> } finish { phong 0.5 refraction 1.2 ior 1.4 } }\n"
+         "sphere { <1.2, 0, 0>, 0.5 pigment { rgb x } finish { refraction 0 } }\n"),
     rule("conserve_energy", FLOOR + "sphere { <-1, 0, 0>, 0.9 pigment { rgb <0.3, 0.6, 0.9> } finish { phong 0.7 "
          "reflection { 0.1, 0.8 } conserve_energy } }\nsphere { <1, 0, 0>, 0.7 pigment { rgbt <1, 0.3, 0.2, 0.5> } "
          "finish { conserve_energy } }\n"),

@@ -95,9 +95,7 @@ void TextureParser::read_finish(Finish& finish) {
                 break;
             default: {
                 if (item.kind == TokenKind::word && text_of(item) == "refraction") {
-                    const double factor = number();
-                    finish.has_no_refraction = factor == 0;
-                    if (factor != 0 && factor != 1) finish.missing.add(missing(item, "refraction"));
+                    finish.refraction = number();
                     break;
                 }
                 const auto held = named<Finish>(item);

@@ -75,7 +75,7 @@ TextureNumbers numbers_of(const Texture& texture) {
 
 bool has_warnings(const Texture& texture) {
     return !texture.missing.empty() || texture.pigment.missing || !texture.finish.missing.empty() ||
-           texture.finish.has_no_refraction || texture.below;
+           texture.finish.refraction != 1 || texture.below;
 }
 
 Fade SceneBuilder::fade_of(const Inherited& own) {
@@ -189,7 +189,7 @@ void SceneBuilder::report_texture(const Inherited& own, const Token& at) {
     if (ior_of(own) != 1) refracts_at_ = stream_.call_place(at);
     check(is_transparent && f.interior && f.interior->ior != 1 && own.interior != own.finish_interior, "ior",
           "of a finish beside an interior");
-    check(is_transparent && f.has_no_refraction, "refraction", "of 0");
+    check(is_transparent && f.refraction != 1, "refraction", "of a finish, other than 1");
     check(is_transparent && own.is_merge, "merge", "of transparent surfaces");
     check(!is_one_finish, "layered textures",
           "that differ in more than how bright ambient and diffuse are, or whose metallic highlights have "

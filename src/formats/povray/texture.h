@@ -81,7 +81,7 @@ struct Finish {
     double reflection_exponent = 1, reflection_falloff = 1, reflection_metallic = 0;
     bool reflection_fresnel = false, conserve_energy = false;
     double crand = 0, diffuse_back = 0;
-    bool has_no_refraction = false;            ///< `refraction 0`
+    double refraction = 1;                     ///< a factor of the light that passes the surface
     std::shared_ptr<const Opaque> interior{};  ///< of `ior` in a finish: an old place of it
     MissingList missing;
 };
