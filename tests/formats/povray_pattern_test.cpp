@@ -73,6 +73,43 @@ TEST(PovrayPatterns, WithoutAMapHaveTheOneBeforeThem) {
     EXPECT_EQ(messages(read("#declare P = pigment { rgb x }", "P wood")), "");
 }
 
+// The pigment that has a pattern is a layer below the pattern of the others.
+TEST(PovrayPatterns, OneOfTheirPigmentsMayHaveAPattern) {
+    const std::string rings = "onion color_map { [0 rgb x] [1 rgb y] } scale 2";
+    const auto layers_of = [](const std::string& pigment) {
+        const Result<Scene> scene = read_pattern_ball(pigment);
+        EXPECT_TRUE(scene) << messages(scene);
+        EXPECT_EQ(messages(scene), "") << pigment;
+        return scene.value_or(Scene{}).textures;
+    };
+    std::vector<Texture> t =
+        layers_of("checker pigment { " + rings + " } pigment { rgb z } translate <3, 0, 0>");
+    ASSERT_EQ(t.size(), 2u);
+    EXPECT_EQ(t[0].mapping, TextureMapping::onion);
+    EXPECT_EQ(transform_point(t[0].world_from_texture, {1, 1, 1}), (Vec3{5, 2, 2}));
+    EXPECT_EQ(t[1].over, 0u);
+    EXPECT_EQ(t[1].color_map[0].alpha, 0);
+    EXPECT_EQ(t[1].color_map[1], (TextureColor{0.5, {0, 0, 1}}));
+    const std::string map = "[0 rgb z] [0.5 " + rings + "] [0.75 rgb 1]";
+    t = layers_of("gradient x pigment_map { " + map + " }");
+    ASSERT_EQ(t.size(), 2u);
+    EXPECT_EQ(t[1].color_map,
+              (std::vector<TextureColor>{
+                  {0, {0, 0, 1}}, {0.5, {0, 0, 1}, 0}, {0.5, {1, 1, 1}, 0}, {0.75, {1, 1, 1}}}));
+    for (const std::string& entries : {map + " [1 wood]", "[0 rgbt 1] [1 " + rings + "]",
+                                       std::string("[0 rgb 1] [1 onion color_map { [0 rgbt 1] }]"),
+                                       std::string("[0 rgb 1] [1 crackle]")}) {
+        EXPECT_NE(messages(read_pattern_ball("gradient x pigment_map { " + entries + " }"))
+                      .find("does not render `gradient` (a pattern)"),
+                  std::string::npos)
+            << entries;
+    }
+    EXPECT_NE(messages(read_pattern_ball("gradient x turbulence 1 pigment_map { " + map + " }")), "");
+    const Result<Scene> named = read_povray("#declare P = pigment { gradient x pigment_map { " + map +
+                                            " } }\nsphere { 0, 1 pigment { P wood } }");
+    EXPECT_NE(messages(named).find("does not render `wood`"), std::string::npos) << messages(named);
+}
+
 TEST(PovrayPatterns, CheckersHaveTwoColors) {
     const std::vector<TextureColor> usual{{0, {0, 0, 1}}, {0.5, {0, 1, 0}}};
     EXPECT_EQ(pattern_texture("checker").color_map, usual);
@@ -199,8 +236,8 @@ TEST(PovrayPatterns, WhatIsNotDrawnIsSaid) {
           std::string("onion color_map { [0.5 rgb 1] [0.2 rgb 0] }"), std::string("brick brick_size 0"),
           mapped("mandel 0"), mapped("mandel 2e6"), mapped("mandel 9 exponent 3"),
           mapped("mandel 9", "phase 0.5"), mapped("spiral1 2", "frequency 1.5"), mapped("spiral2 2"),
-          std::string("tiles"), std::string("checker pigment { onion } pigment { rgb 1 }"),
-          std::string("onion pigment_map { [0 rgb 1] [1 checker] }")}) {
+          std::string("tiles"), std::string("checker pigment { onion } pigment { wood }"),
+          std::string("onion pigment_map { [0 wood] [1 checker] }")}) {
         const Result<Scene> result = read_pattern_ball(pigment);
         EXPECT_TRUE(result);
         EXPECT_NE(messages(result).find("a pattern"), std::string::npos) << pigment << "\n"

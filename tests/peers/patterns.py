@@ -92,6 +92,15 @@ RULES = [
                                 % (FINISH, FINISH, PLACE))),
     rule("pigment_map", "#declare P = pigment { rgb <0.1, 0.6, 0.2> }\n" +
          BALL % pigment("onion pigment_map { [0 rgb <0.9, 0.2, 0.1>] [0.4 P] [0.4, color rgb 0.8] [1 P] }", PLACE)),
+    *[rule(f"of_pattern_{name}", f"#declare P = pigment {{ onion {MAP} scale 0.3 rotate 50*z }}\n" + BALL % pigment(items, PLACE)) for name, items in (
+        ("checker", "checker pigment { P } pigment { rgb 0.8 }"), ("brick", "brick pigment { rgb 0.8 } pigment { P } brick_size <1, 0.5, 1> mortar 0.1"),
+        ("hexagon", "hexagon pigment { rgb x } pigment { P } pigment { P }"),
+        ("gradient", "gradient y pigment_map { [0.1 P] [0.6 rgb <0.9, 0.2, 0.1>] [0.9 rgb <0.1, 0.2, 0.9>] }"),
+        ("wood", "wood pigment_map { [0 rgb 0.8] [0.4 P] [0.8 rgb <0.9, 0.2, 0.1>] [1 P] } frequency 2 phase 0.3"))],
+    rule("of_pattern_textures", "#declare A = texture { pigment { onion %s } %s scale 0.3 }\n" % (MAP, FINISH) +
+         BALL % ("texture { checker texture { A } texture { pigment { rgb 0.8 } %s } %s }" % (FINISH, PLACE))),
+    rule("of_pattern_texture_map", "#declare A = texture { pigment { onion %s } %s scale 0.3 }\n" % (MAP, FINISH) +
+         BALL % ("texture { gradient y texture_map { [0.2 A] [0.8 pigment { rgb 0.8 } %s] } %s }" % (FINISH, PLACE))),
     rule("map_beyond_1", BALL % pigment("gradient y color_map { [-0.5 rgb <0.9, 0.2, 0.1>] [0.6 rgb 0.9] [1.7 rgb <0.1, 0.2, 0.9>] }", PLACE)),
     rule("map_of_one", BALL % pigment("gradient y color_map { [0.4 rgb <0.9, 0.2, 0.1>] [1.5 rgb <0.1, 0.2, 0.9>] } quick_color rgb x", PLACE)),
     rule("leopard", BALL % mapped("leopard", "scale 0.1")),

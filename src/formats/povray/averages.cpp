@@ -13,12 +13,6 @@ namespace {
 
 constexpr std::size_t k_max_pigments = 256;  // POV-Ray's limit
 
-bool lets_nothing_through(const Pigment& pigment) {
-    if (pigment.under) return true;
-    if (pigment.color[3] != 0 || pigment.color[4] != 0) return false;
-    return !pigment.image || !pigment.image->has_alpha();
-}
-
 bool is_picture(const WeightedPigment& part) {
     return part.pigment.under || (part.pigment.image && part.pigment.image->image);
 }

@@ -44,6 +44,9 @@ constexpr DefaultColor k_default_colors[] = {
     {"mandel", 0.1F, 0, 1, 1},
 };
 
+// Lets all be seen that is below it.
+constexpr std::array<double, 5> k_clear{0, 0, 0, 0, 1};
+
 constexpr std::size_t k_max_map = 256;  // entries of a color_map; POV-Ray's limit
 
 bool is_in_order(const CountedVector<ColorMapEntry>& map) {
@@ -111,10 +114,44 @@ std::optional<std::array<double, 5>> TextureParser::read_block_color(PatternPart
     return color(true);
 }
 
-// The color of a pigment of one color.
+// The color of a pigment of one color. The first one with a pattern is seen through a clear color.
 std::array<double, 5> TextureParser::color_of(const Pigment& pigment, PatternParts& parts) {
-    parts.are_plain = parts.are_plain && !pigment.missing && !pigment.image && pigment.image_number == 0;
-    return pigment.color;
+    if (!pigment.missing && !pigment.image && pigment.image_number == 0) {
+        parts.are_opaque = parts.are_opaque && lets_nothing_through(pigment);
+        return pigment.color;
+    }
+    const bool is_drawn = (pigment.image || pigment.under) && lets_nothing_through(pigment);
+    if (is_drawn && !parts.under) parts.under = make_counted<const Pigment>(pigment);
+    parts.are_plain = parts.are_plain && is_drawn && !pigment.is_uv && pigment == *parts.under;
+    return k_clear;
+}
+
+// A clear entry has the color of the one beside it, so that only the opacity changes between them.
+void TextureParser::use_colors_beside(CountedVector<ColorMapEntry>& map) {
+    CountedVector<ColorMapEntry> out;
+    for (std::size_t i = 0; i < map.size(); ++i) {
+        if (map[i].color != k_clear) {
+            out.push_back(map[i]);
+            continue;
+        }
+        for (const std::size_t other : {i - 1, i + 1}) {
+            if (other >= map.size()) continue;
+            ColorMapEntry entry{map[i].at, map[other].color};
+            entry.color[4] = 1;
+            out.push_back(entry);
+        }
+        if (map.size() == 1) out.push_back(map[i]);
+    }
+    map = std::move(out);
+}
+
+// Draws the one with a pattern below the colors.
+void TextureParser::put_under(Pigment& pigment, const PatternParts& parts) {
+    if (!parts.under || !pigment.image) return;
+    pigment.under = parts.under;
+    pigment.pattern = nullptr;
+    pigment.gradient = nullptr;
+    if (!pigment.missing) pigment.missing = parts.under->missing;
 }
 
 std::array<double, 5> TextureParser::color_of(const Texture& texture, PatternParts& parts) {
@@ -160,6 +197,7 @@ bool TextureParser::read_part_map(CountedVector<ColorMapEntry>& map, PatternPart
         map.push_back(entry);
         if (map.size() > k_max_map) error(at, fmt::format("expected at most {} entries", k_max_map));
     }
+    if (parts.under) use_colors_beside(map);
     return !failed() && !map.empty();
 }
 

@@ -179,13 +179,17 @@ void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optio
     if (failed()) return;
     if (items.map.empty() && texture.color_map.empty()) items.map = kept;
     const bool is_plain = items.frequency == 1 && items.phase == 0 && !items.is_triangle.value_or(false);
-    if (row->word == "gradient" && items.is_known && parts.are_plain && is_plain &&
+    if (row->word == "gradient" && items.is_known && parts.are_plain && !parts.under && is_plain &&
         items.turbulence == Vec3{}) {
         auto gradient = make_counted<GradientPattern>();
         *gradient = {axis, items.map, map};
         pigment.gradient = std::move(gradient);
     }
-    draw_pattern(pigment, std::move(source), parts.are_plain);
+    // Turbulence would move the pattern below, too.
+    const bool is_drawn =
+        parts.are_plain && (!parts.under || (parts.are_opaque && items.turbulence == Vec3{}));
+    draw_pattern(pigment, std::move(source), is_drawn);
+    put_under(pigment, parts);
     if (loses && !pigment.missing)
         pigment.missing = {text_of(item), "in place of another pattern, whose transforms POV-Ray keeps",
                            call_place(item)};
@@ -194,11 +198,11 @@ void TextureParser::read_pattern(Pigment& pigment, const Token& item, std::optio
 // The map of a pattern that has none of its own: what the pigment had before it, or the pattern's default
 // one. Nothing if it is not known.
 CountedVector<ColorMapEntry> TextureParser::map_without_own(const Pigment& before, const PatternRow* row) {
-    if (row == nullptr || (before.missing && !before.image)) return {};
+    if (row == nullptr || before.under || (before.missing && !before.image)) return {};
     if (before.pattern)
         return before.pattern->texture.color_map.empty() ? before.pattern->items.map
                                                          : CountedVector<ColorMapEntry>();
-    return before.image || before.under ? CountedVector<ColorMapEntry>() : default_map(row->word);
+    return before.image ? CountedVector<ColorMapEntry>() : default_map(row->word);
 }
 
 const PatternRow* TextureParser::find_pattern(std::string_view word) {
@@ -221,7 +225,7 @@ void TextureParser::change_pattern(Pigment& pigment, std::optional<Affine>& map)
     pigment.gradient = nullptr;
     pigment.image = nullptr;
     pigment.image_number = 0;
-    draw_pattern(pigment, std::move(source), parts.are_plain);
+    draw_pattern(pigment, std::move(source), parts.are_plain && !parts.under);
 }
 
 // The pigment of what has been read, which is `missing` if the engine has no such pattern.

@@ -62,7 +62,8 @@ struct Pigment {
     bool is_uv = false;         ///< `uv_mapping`
     std::shared_ptr<const PatternSource>
         pattern{};  ///< what the text says of it, to be changed by more words
-    /// Of an `average`: the others, of which this one, with less opacity, lets the rest be seen.
+    /// Of an `average`: the others, of which this one, with less opacity, lets the rest be seen. Of a pattern
+    /// of pigments: the one that has a pattern itself.
     std::shared_ptr<const Pigment> under{};
     double image_number = 0;  ///< the same for the same image and map, and average; 0: no image
     friend bool operator==(const Pigment& a, const Pigment& b) {
@@ -137,6 +138,12 @@ inline double largest(Color c) { return std::max({c.r, c.g, c.b}); }
 inline bool is_clear(const Texture& layer) {
     const Pigment& p = layer.pigment;
     return !p.under && (p.color[3] != 0 || p.color[4] != 0 || (p.image && p.image->has_alpha()));
+}
+/// Whether the pigment hides all that is behind it.
+inline bool lets_nothing_through(const Pigment& pigment) {
+    if (pigment.under) return true;
+    if (pigment.color[3] != 0 || pigment.color[4] != 0) return false;
+    return !pigment.image || !pigment.image->has_alpha();
 }
 /// Whether something of the texture is not rendered, beyond what its numbers say.
 bool has_warnings(const Texture& texture);

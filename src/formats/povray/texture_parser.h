@@ -55,7 +55,10 @@ struct PatternParts {
     std::optional<Texture> first{};  ///< of textures: its finish is that of all
     MissingList missing{};           ///< of the textures
     bool have_one_finish = true;
-    bool are_plain = true;  ///< pigments of one color
+    bool are_plain = true;  ///< pigments of one color, and of at most one pattern
+    /// The one with a pattern, which is seen where the others let it.
+    std::shared_ptr<const Pigment> under{};
+    bool are_opaque = true;  ///< those of one color
 };
 
 /// An entry of the map of `average`.
@@ -119,6 +122,8 @@ class TextureParser : public ValueParser {
     void read_pattern_items(PatternItems& items, std::optional<Affine>& map, PatternParts& parts);
     static bool use_from_0_to_1(CountedVector<ColorMapEntry>& map);
     bool read_part_map(CountedVector<ColorMapEntry>& map, PatternParts& parts);
+    static void use_colors_beside(CountedVector<ColorMapEntry>& map);
+    void put_under(Pigment& pigment, const PatternParts& parts);
     std::array<double, 5> color_of(const Pigment& pigment, PatternParts& parts);
     std::array<double, 5> color_of(const Texture& texture, PatternParts& parts);
     bool read_color_map(CountedVector<ColorMapEntry>& map);
