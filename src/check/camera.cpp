@@ -7,6 +7,7 @@
 #include "check/checks.h"
 #include "math/number.h"
 #include "math/transform.h"
+#include "scene/handedness.h"
 #include "scene/settings.h"
 #include "world/geometry/primitive_bounds-inl.h"
 
@@ -64,13 +65,6 @@ Handedness handedness_of(const Scene& scene) {
     const auto profile =
         std::find_if(all.begin(), all.end(), [&](const Profile& p) { return p.name == scene.profile; });
     return profile == all.end() ? Handedness::right : profile->handedness;
-}
-
-// Whether POV-Ray, which computes the right vector from `look_at`, has it on the other side.
-bool is_reversed_in_povray(const CameraFrame& frame) {
-    const Vec3 across = cross(Vec3{0, 1, 0}, frame.forward);
-    const bool mirrored = dot(cross(frame.up, Vec3{0, 0, 1}), frame.right) <= 0;
-    return dot(mirrored ? -across : across, frame.right) < 0;
 }
 
 void check_handedness(CheckContext& context) {
