@@ -170,6 +170,13 @@ void check_finish(CheckContext& context, std::uint32_t index) {
         report("`outline_width`", "outline is 0", "give it an outline, such as 0.8");
     if (m.angled_opacity && m.transmit == 0)
         report("`angled_opacity`", "transmit is 0", "give it a transmit, such as 0.5");
+    if (!(m.fade_color == usual.fade_color && m.fade_power == usual.fade_power) && m.fade_distance == 0)
+        report(m.fade_power == usual.fade_power ? "`fade_color`" : "`fade_power`", "fade_distance is 0",
+               "give it a fade_distance, such as 1");
+    // Other programs' interiors are also those of opaque objects.
+    if (m.fade_distance > 0 && context.scene().profile == "glint" && !m.is_transparent() &&
+        m.texture == k_none)
+        report("`fade_distance`", "neither filter nor transmit", "give it a transmit, such as 0.9");
     if (m.mirror_min > 0 && !m.has_angled_mirror())
         report("`mirror_min`", "mirror_falloff is 0", "give it a mirror_falloff, such as 1");
 }
