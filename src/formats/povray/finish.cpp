@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What only the whole scene decides.
 #include <algorithm>
-#include <array>
-#include <limits>
 
 #include "formats/povray/clip.h"
 #include "formats/povray/reach.h"
@@ -67,37 +65,24 @@ void SceneBuilder::check_jitter() {
         return shape.material >= scene_.materials.size() || scene_.materials[shape.material].casts_shadow;
     };
     if (jittered_.empty() || std::none_of(scene_.shapes.begin(), scene_.shapes.end(), casts_shadow)) return;
-    // The box of the scene: how far it reaches along -x, -y, -z, x, y and z.
-    constexpr double infinite = std::numeric_limits<double>::infinity();
-    std::array<double, 6> box;
-    const auto along = [](std::size_t i, Vec3 p) {
-        const double x = i % 3 == 0 ? p.x : i % 3 == 1 ? p.y : p.z;
-        return i < 3 ? -x : x;
-    };
-    const auto unit = [&](std::size_t i) {
-        return Vec3{along(i, {1, 0, 0}), along(i, {0, 1, 0}), along(i, {0, 0, 1})};
-    };
-    box.fill(-infinite);
+    ReachBox box;
     std::uint64_t steps = 0;
     for (const Shape& shape : scene_.shapes) {
         // Many copies of large meshes are not searched to the end.
-        if ((steps += box.size() * reach_steps(scene_, shape)) > k_max_jitter_steps) {
-            box.fill(infinite);
-            break;
-        }
-        for (std::size_t i = 0; i < box.size(); ++i)
-            box[i] = std::max(box[i], reach(scene_, shape, unit(i)).value_or(infinite));
+        box.is_unbounded |= (steps += 6 * reach_steps(scene_, shape)) > k_max_jitter_steps;
+        if (box.is_unbounded) break;
+        box.add(scene_, shape);
     }
     const auto step = [](Vec3 side, std::int32_t samples) {
         return samples > 1 ? length(side) / (samples - 1) : 0.0;
     };
     for (const auto& [index, at] : jittered_) {
         const Light& light = scene_.lights[index];
-        double distance = -infinite;
-        for (std::size_t i = 0; i < box.size(); ++i)
-            distance = std::max(distance, along(i, light.position) - box[i]);
-        if (distance <
-            k_far_jitter * std::max(step(light.side_u, light.samples_u), step(light.side_v, light.samples_v)))
+        const Vec3 below = box.least - light.position, above = light.position - box.most;
+        const double distance = std::max({below.x, below.y, below.z, above.x, above.y, above.z});
+        const double grain =
+            std::max(step(light.side_u, light.samples_u), step(light.side_v, light.samples_v));
+        if (box.is_unbounded || distance < k_far_jitter * grain)
             report({"jitter", "of an area light: glint has its own, with another grain", at});
     }
 }

@@ -107,6 +107,26 @@ bool are_apart(const Scene& scene, const Shape& a, const Shape& b) {
     return false;
 }
 
+void ReachBox::add(const Scene& scene, const Shape& shape) {
+    const auto side = [&](Vec3 axis, double& low, double& high) {
+        const auto up = reach(scene, shape, axis), down = reach(scene, shape, -axis);
+        if (!up || !down) {
+            is_unbounded = true;
+            return;
+        }
+        high = std::max(high, *up);
+        low = std::min(low, -*down);
+    };
+    side({1, 0, 0}, least.x, most.x);
+    side({0, 1, 0}, least.y, most.y);
+    side({0, 0, 1}, least.z, most.z);
+}
+
+double ReachBox::size() const {
+    const Vec3 sides = most - least;
+    return std::max({sides.x, sides.y, sides.z});
+}
+
 std::uint64_t reach_steps(const Scene& scene, const Shape& shape) {
     if (shape.kind != ShapeKind::mesh) return 1;
     return 1 + scene.meshes[scene.get<Mesh>()[shape.index].mesh]->vertex_count();

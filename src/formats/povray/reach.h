@@ -11,6 +11,16 @@ namespace glint::povray {
 /// The greatest dot(d, p) of the points p of a shape; nothing for planes and polygons.
 std::optional<double> reach(const Scene& scene, const Shape& shape, Vec3 d);
 
+/// The box around shapes.
+struct ReachBox {
+    Vec3 least{1e300, 1e300, 1e300}, most{-1e300, -1e300, -1e300};
+    bool is_unbounded = false;  ///< some are planes or polygons, which it leaves out
+
+    void add(const Scene& scene, const Shape& shape);
+    /// Of its longest side; below 0 if it is empty.
+    double size() const;
+};
+
 /// What reach() takes for a shape, in points.
 std::uint64_t reach_steps(const Scene& scene, const Shape& shape);
 

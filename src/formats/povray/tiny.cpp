@@ -18,25 +18,15 @@ constexpr std::uint64_t k_max_size_steps = 100'000'000;
 // The longest side of the box around all shapes but planes, or a number above `limit`; nothing without
 // shapes.
 std::optional<double> size_of(const Scene& scene, double limit) {
-    const Vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    double most[3], least[3];
-    std::fill_n(most, 3, -1e300);
-    std::fill_n(least, 3, 1e300);
-    double size = -1;
+    ReachBox box;
     std::uint64_t steps = 0;
     for (const Shape& shape : scene.shapes) {
         // Many copies of large meshes that are all tiny: not searched to the end.
-        if ((steps += 6 * reach_steps(scene, shape)) > k_max_size_steps && size >= 0) return limit;
-        for (int i = 0; i < 3; ++i) {
-            const auto high = reach(scene, shape, axes[i]), low = reach(scene, shape, -axes[i]);
-            if (!high || !low) continue;
-            most[i] = std::max(most[i], *high);
-            least[i] = std::min(least[i], -*low);
-            size = std::max(size, most[i] - least[i]);
-        }
-        if (size > limit) return size;
+        if ((steps += 6 * reach_steps(scene, shape)) > k_max_size_steps && box.size() >= 0) return limit;
+        box.add(scene, shape);
+        if (box.size() > limit) break;
     }
-    return size < 0 ? std::nullopt : std::optional(size);
+    return box.size() < 0 ? std::nullopt : std::optional(box.size());
 }
 
 }  // namespace
