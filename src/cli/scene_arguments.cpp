@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "base/diagnostics.h"
 #include "base/text.h"
 #include "cli/failure.h"
 #include "cli/memory_size.h"
@@ -18,6 +19,7 @@
 #include "formats/load_validated.h"
 #include "formats/registry.h"
 #include "os/files.h"
+#include "scene/handedness.h"
 
 namespace glint::cli {
 namespace {
@@ -155,6 +157,25 @@ std::optional<Scene> load_with_size(const SceneArguments& arguments, const Loade
     return *std::move(result);
 }
 
+namespace {
+
+// A .pov that is also a scene of CSC 473 is read as one.
+void note_mirrored(const std::vector<SceneText>& texts, const Scene& scene,
+                   std::vector<Diagnostic>& diagnostics) {
+    const SourcePlace place = scene.camera_place;
+    if (place.line == 0 || place.file >= texts.size() || !scene.camera.frame) return;
+    const SceneText& text = texts[place.file];
+    if (!text.format.empty() || choose_format(text).format != "csc473" ||
+        !is_reversed_in_povray(*scene.camera.frame))
+        return;
+    diagnostics.push_back(
+        diagnostic_at(Severity::note, {text.name, text.text}, place,
+                      "read as a scene of CSC 473, with `right` as it is written; POV-Ray exchanges left "
+                      "and right: `--format povray` reads the text as POV-Ray does"));
+}
+
+}  // namespace
+
 LoadedScene load_scene(const SceneArguments& arguments, TextReader& reader) {
     std::optional<InputFile> profile_file;
     const LoadOptions options = load_options(arguments, reader, profile_file);
@@ -190,6 +211,7 @@ LoadedScene load_scene(const SceneArguments& arguments, TextReader& reader) {
         print(result.diagnostics);
         throw_failure(result);
     }
+    note_mirrored(texts, **result, result.diagnostics);
     for (const InputFile& file : files) file.release();  // few commands need the text again
     return {std::move(*result), std::move(result.diagnostics), std::move(files), std::move(texts),
             sources.hashes(),   reach_of_includes(arguments)};

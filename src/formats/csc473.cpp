@@ -10,7 +10,6 @@
 #include "formats/povray_keywords.h"
 #include "formats/registry.h"
 #include "math/transform.h"
-#include "scene/handedness.h"
 
 namespace glint {
 namespace {
@@ -132,12 +131,6 @@ class Csc473Reader {
         scene_.camera.frame = CameraFrame{right, up, normalize(look_at - location)};
         scene_.camera_place = source_place(text_, word);
         reading_.camera_given = true;
-        if (!text_.has_chosen_format && is_reversed_in_povray(*scene_.camera.frame)) {
-            p_.note(word,
-                    "read as a scene of CSC 473, with `right` as it is written; POV-Ray exchanges left and "
-                    "right: "
-                    "`--format povray` reads the text as POV-Ray does");
-        }
         return true;
     }
 

@@ -158,8 +158,7 @@ class Loader {
     void read(std::size_t i) {
         const SceneText& text = texts_[i];
         reading_.includes.root = static_cast<std::uint16_t>(i);
-        formats_[i]->read(
-            reading_, {{text.name, text.text}, static_cast<std::uint16_t>(i), false, !text.format.empty()});
+        formats_[i]->read(reading_, {{text.name, text.text}, static_cast<std::uint16_t>(i)});
         ask_for_memory(text);
     }
 

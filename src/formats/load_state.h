@@ -27,7 +27,6 @@ struct ReadText {
     InputText place;
     std::uint16_t file = 0;  ///< index into Scene::files
     bool is_included = false;
-    bool has_chosen_format = true;  ///< else that of its name, or of the text itself
 };
 
 /// The included texts. Their addresses and those of their names do not change during the load.

@@ -75,11 +75,7 @@ std::vector<OwnedText> owned_texts(const json& list) {
 
 std::vector<SceneText> views(const std::vector<OwnedText>& owned) {
     std::vector<SceneText> texts;
-    for (const OwnedText& text : owned) {
-        SceneText& view = texts.emplace_back(SceneText{text.name, text.text, text.format});
-        // A page has no --format, which notes about the choice of a format name.
-        if (text.format.empty()) view.format = choose_format(view).format;
-    }
+    for (const OwnedText& text : owned) texts.push_back({text.name, text.text, text.format});
     return texts;
 }
 

@@ -11,7 +11,7 @@ namespace {
 #define CAMERA "camera { location <1, 2, 14> up <0, 1, 0> right <1.5, 0, 0> look_at <1, 2, 3> }\n"
 #define LIGHT "light_source { <-100, 100, 100> color rgb <1.5, 1, 0.5> }\n"
 
-Scene scene_of(const std::string& text) { return quiet_scene(text, "a.pov", "csc473"); }
+Scene scene_of(const std::string& text) { return quiet_scene(text, "a.pov"); }
 
 TEST(Csc473, ReadsTheCamera) {
     const Scene s = scene_of(CAMERA LIGHT "sphere { <0, 0, 0>, 2 }");
@@ -108,8 +108,7 @@ TEST(Csc473, ReadsShapes) {
 }
 
 TEST(Csc473, ReadsConesAndReportsThatTheyAreNotRendered) {
-    const Result<Scene> result =
-        load_text(CAMERA LIGHT "cone { <0, 0, 1>, 2, <0, 0, -3>, 0 }", "a.pov", {}, nullptr, "csc473");
+    const Result<Scene> result = load_text(CAMERA LIGHT "cone { <0, 0, 1>, 2, <0, 0, -3>, 0 }", "a.pov");
     ASSERT_TRUE(result);
     const Cone& c = result->get<Cone>().at(0);
     EXPECT_EQ(c.from, (Vec3{0, 0, 1}));
@@ -121,9 +120,7 @@ TEST(Csc473, ReadsConesAndReportsThatTheyAreNotRendered) {
     EXPECT_EQ(result.diagnostics[0].line, 3u);
     LoadOptions options;
     options.settings = {{"cones", "true"}};
-    EXPECT_EQ(messages(load_text(CAMERA LIGHT "cone { <0, 0, 1>, 2, <0, 0, -3>, 0 }", "a.pov", options,
-                                 nullptr, "csc473")),
-              "");
+    EXPECT_EQ(messages(load_text(CAMERA LIGHT "cone { <0, 0, 1>, 2, <0, 0, -3>, 0 }", "a.pov", options)), "");
 }
 
 void expect_near(Vec3 a, Vec3 b) {

@@ -26,8 +26,8 @@ inline std::string messages(const Result<Scene>& result) {
 }
 
 /// The scene of a text without diagnostics.
-inline Scene quiet_scene(std::string_view text, std::string name, std::string format = {}) {
-    const Result<Scene> result = load_text(text, std::move(name), {}, nullptr, std::move(format));
+inline Scene quiet_scene(std::string_view text, std::string name) {
+    const Result<Scene> result = load_text(text, std::move(name));
     EXPECT_TRUE(result) << messages(result);
     EXPECT_EQ(messages(result), "");
     return result.value_or(Scene{});

@@ -479,23 +479,6 @@ TEST(PovRay, APovIsOfCsc473IfItsWholeTextIs) {
     EXPECT_EQ(choose_format({"a.pov", both, "povray"}).format, "povray");
 }
 
-TEST(PovRay, ApovOfCsc473ThatPovRayMirrorsIsNoted) {
-    const auto said = [](const std::string& camera, const std::string& format = {}) {
-        return messages(
-            load_text("camera { " + camera +
-                          " }\nlight_source { <0, 9, 9> color rgb <1, 1, 1> }\nsphere { <0, 0, 0>, 1 }\n",
-                      "a.pov", {}, nullptr, format));
-    };
-    const std::string front = "location <0, 0, 5> look_at <0, 0, 0>";
-    EXPECT_NE(said(front).find("a.pov:1:1: note: read as a scene of CSC 473"), std::string::npos)
-        << said(front);
-    EXPECT_NE(said(front).find("`--format povray`"), std::string::npos);
-    EXPECT_NE(said(front + " right <1.33, 0, 0>"), "");
-    EXPECT_EQ(said(front, "csc473"), "");
-    EXPECT_EQ(said(front, "povray"), "");
-    EXPECT_EQ(said("location <0, 0, -5> look_at <0, 0, 0>"), "") << "right is right in both";
-}
-
 TEST(PovRay, AGlintSceneIncludesAPovByItsText) {
     TextSources sources(std::map<std::string, std::string, std::less<>>{
         {"a.pov", "#declare R = 2;\nsphere { x, R pigment { rgb 1 } }"},

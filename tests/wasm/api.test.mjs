@@ -368,12 +368,6 @@ sphere { 0, 1 pigment { Red } }
     own.close();
 });
 
-test('a scene of CSC 473 has no note about --format, which a page does not have', () => {
-    const scene = glint.open(request(['csc473/glass_ball.pov']));
-    assert.deepEqual(scene.report.diagnostics, []);
-    scene.close();
-});
-
 test('a setting that is none has the same message, with the likeliest one, when a scene is opened and when it is prepared', () => {
     const words = 'no setting is called \'shadin\'; did you mean `shading`?';
     const opened = glint.open({...request(['cgfs/three_mirrors.cgfs'], {shadin: 'phong'})});
