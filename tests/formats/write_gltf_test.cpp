@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <initializer_list>
+#include <nlohmann/json.hpp>
 
 #include "export/gltf/reflection.h"
 #include "formats/gltf/materials.h"
@@ -327,6 +328,19 @@ sphere { center = (0, 0, 0)  radius = 1  mirror = 0.5 }
         "distance of most shapes (2)\n"
         "glTF has no area lights: each is a point light at its middle\n"
         "glTF has no fog: it is left out\n");
+}
+
+// Along the normal, a Fresnel mirror reflects a little more than its least.
+TEST(WriteGltf, FresnelMirrorsReflectAtARightAngle) {
+    const Scene scene = gltf_like(
+        "sphere { center = (0, 0, 0)  radius = 1  ior = 1.5  mirror = 0.8  mirror_min = 0.1  mirror_fresnel "
+        "= true "
+        "conserve_energy = true }");
+    const nlohmann::json json = nlohmann::json::parse(written(scene, "gltf"));
+    const double factor =
+        json["materials"][0]["extensions"]["KHR_materials_specular"]["specularColorFactor"][0];
+    EXPECT_NEAR(factor, (0.1 + 0.7 * 0.04) / 0.04, 1e-12);
+    EXPECT_NE(gltf_warnings(scene).find("and the like of finishes"), std::string::npos);
 }
 
 TEST(WriteGltf, LeftHandedScenesAreNotMirrored) {

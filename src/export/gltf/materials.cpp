@@ -21,11 +21,19 @@ bool is_unlit(const Material& m) {
 
 bool has_finish(const Material& m) {
     return m.brilliance != 1 || m.metallic != 0 || m.phong != Color{} || !m.tinted_highlight ||
-           m.angled_opacity || m.outline != 0 || (m.mirror > 0 && m.has_angled_mirror());
+           m.angled_opacity || m.outline != 0 || (m.mirror > 0 && m.has_angled_mirror()) ||
+           (m.mirror > 0 && m.conserve_energy);
 }
 
-// Along the normal.
-double mirror_of(const Material& m) { return m.has_angled_mirror() ? m.mirror_min : m.mirror; }
+double along_normal(double index) {
+    const double reflected = (index - 1) / (index + 1);
+    return reflected * reflected;
+}
+
+double mirror_of(const Material& m) {
+    if (!m.has_angled_mirror()) return m.mirror;
+    return m.mirror_min + (m.mirror_fresnel ? (m.mirror - m.mirror_min) * along_normal(m.ior) : 0);
+}
 
 // A mirror of half the light or more is a metal, which programs show best. A weaker one is what a
 // dielectric reflects at a right angle: its own color is seen beside it.
@@ -42,8 +50,7 @@ MetalRoughness mirror_as_metal(const Material& m, double mirror, MirrorRule rule
 
 double dielectric_of(const Material& m) {
     if (!(m.transmission > 0) || m.ior == k_index) return k_dielectric;
-    const double reflected = (m.ior - 1) / (m.ior + 1);
-    return reflected * reflected;
+    return along_normal(m.ior);
 }
 
 }  // namespace
