@@ -25,9 +25,10 @@ void check_encloses_space(const ShapeBox& shape, const std::string& where) {
     if (encloses_space(scene, scene.shapes.front())) return;
     const bool is_open = shape.kind() == ShapeKind::cylinder || shape.kind() == ShapeKind::cone;
     throw py::value_error(fmt::format(
-        "{}: expected a shape that encloses a space: a Sphere, Box, Torus, Quadric, Quartic, Plane, "
-        "Solid, or a Cylinder or "
-        "Cone with caps; found a {}{}",
+        "{}: expected a shape that encloses a space: a Sphere, Box, Torus, Quadric, Quartic, Plane or Solid, "
+        "a "
+        "Cylinder or Cone with caps, or a Mesh whose edges are each in two triangles in opposite directions; "
+        "found a {}{}",
         where, class_of(shape), is_open ? " without caps" : ""));
 }
 
@@ -136,11 +137,9 @@ void bind_solid(py::module_& m, py::class_<ShapeBox, std::shared_ptr<ShapeBox>>&
         m, "Solid",
         "Solid(operation, parts): shapes that are combined by their insides (constructive solid geometry). "
         "a - b is Solid('difference', [a, b]), a & b 'intersection', a | b 'merge' and ~a 'inverse'. A part "
-        "is "
-        "a Sphere, Box, Torus, Quadric, Quartic, Solid, a Cylinder or Cone with caps, or a Plane, whose "
-        "inside is "
-        "opposite to "
-        "its normal. The surfaces have the materials of their parts; a part without one has the solid's. "
+        "is a Sphere, Box, Torus, Quadric, Quartic, Solid, a Cylinder or Cone with caps, a closed Mesh, or a "
+        "Plane, whose inside is opposite to its normal. The surfaces have the materials of their parts; a "
+        "part without one has the solid's. "
         "Parts are copied: later changes of them do not change the solid. Their materials are not copied. A "
         "part's name is lost, and its color becomes a material.")
         .def(py::init([](const std::string& operation, const py::object& parts, const py::kwargs& keywords) {

@@ -97,10 +97,31 @@ def test_parts_are_copies_with_their_materials():
     assert copied.parts[1].material == RED and copied.parts[1].material is not RED
 
 
+def box_of_triangles(*, closed=True):
+    """The box from (0, 0, 0) to (2, 2, 2)."""
+    corners = [(x, y, z) for z in (0, 2) for y in (0, 2) for x in (0, 2)]
+    sides = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+    faces = [face for a, b, c, d in sides for face in ((a, b, c), (a, c, d))]
+    return glint.Mesh(corners, faces if closed else faces[1:])
+
+
+def test_a_closed_mesh_is_a_part():
+    solid = glint.Box((-1, -1, -1), (1, 1, 1), material=RED) - box_of_triangles()
+    assert type(solid.parts[1]) is glint.Mesh
+    scene = scene_with(solid)
+    again = glint.loads(scene.to_glint())
+    assert again.shapes[0].parts[1] == solid.parts[1]
+    assert same_picture(scene, again)
+    plain = scene_with(glint.Box((-1, -1, -1), (1, 1, 1), material=RED) - glint.Box((0, 0, 0), (2, 2, 2)))
+    difference = np.abs(scene.render().array - plain.render().array).max(axis=2)
+    assert np.count_nonzero(difference > 1e-9) < 4
+
+
 def test_what_is_wrong_is_refused():
     ball, plain = glint.Sphere(), "expected a shape that encloses a space: a Sphere, Box, .*; found a "
     for make, error, message in (
         (lambda: glint.Disc() - ball, ValueError, f"difference: {plain}Disc"),
+        (lambda: ball - box_of_triangles(closed=False), ValueError, f"difference: {plain}Mesh"),
         (lambda: ball & glint.Triangle(), ValueError, f"intersection: {plain}Triangle"),
         (lambda: ~glint.Cylinder(caps=False), ValueError, f"inverse: {plain}Cylinder without caps"),
         (lambda: ball | 3, TypeError, "merge: expected a shape, found 3"),

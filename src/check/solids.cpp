@@ -2,6 +2,7 @@
 // Solids that are empty, and operands that cut nothing.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "check/checks.h"
@@ -16,6 +17,7 @@ namespace {
 
 constexpr std::uint32_t k_points = 20000;
 constexpr std::uint64_t k_most_tests = 30'000'000;  // of a point and an operand: a second
+constexpr std::uint64_t k_mesh_tests = 20;          // a mesh takes the time of so many other operands
 constexpr std::uint32_t k_seed = 0x50a1d;
 
 // Point i of those that fill a box evenly: its corners, the middles of its edges, sides and of itself, all a
@@ -200,8 +202,11 @@ void check_solids(CheckContext& context, const VisibleHits& visible, std::vector
     for (std::uint32_t slot = 0; slot < geometry.bounded; ++slot) {
         if (geometry.class_of(slot).kind != ShapeKind::solid) continue;
         const std::uint32_t shape = geometry.shape_index[slot];
-        const std::uint64_t count = operands_of(context.scene(), context.scene().shapes[shape]).size();
-        const std::uint64_t own = (count + 1) * count * k_points;
+        const auto operands = operands_of(context.scene(), context.scene().shapes[shape]);
+        const std::uint64_t count = operands.size();
+        const auto meshes = static_cast<std::uint64_t>(std::count_if(
+            operands.begin(), operands.end(), [](const Shape& s) { return s.kind == ShapeKind::mesh; }));
+        const std::uint64_t own = (count + 1) * (count + k_mesh_tests * meshes) * k_points;
         if (count == 0 || tests + own > k_most_tests) continue;
         tests += own;
         if (check_solid(context, slot, hit)) explained[shape] = true;

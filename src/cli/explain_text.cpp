@@ -134,7 +134,7 @@ class Tree {
         if (hit.triangle >= 0) {
             text_.line(depth + 1, fmt::format("triangle {} of the mesh, weights of its corners {}{}",
                                               hit.triangle, vec(hit.corner_weights),
-                                              scene_.shapes[hit.shape].transform == k_none
+                                              hit.mesh_point == hit.point
                                                   ? std::string()
                                                   : "; P in the mesh's coordinates " + vec(hit.mesh_point)));
         }

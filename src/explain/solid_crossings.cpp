@@ -43,16 +43,15 @@ void find_crossings_of(const PackedGeometry& geometry, const Kernels& kernels, E
     const PackedSolid& solid =
         geometry.solids[static_cast<std::size_t>(geometry.class_of(slot).value(0, slot))];
     std::vector<std::vector<double>> intervals;
+    std::vector<double> ends;
     std::vector<ExplainedCrossing> all;
     for (std::size_t operand = 0; operand < solid.slots.size(); ++operand) {
-        double t[2 * k_max_intervals];
-        const int count =
-            kernels.operand_intervals(geometry, solid.slots[operand], ray.origin, ray.direction, t);
+        kernels.operand_intervals(geometry, solid.slots[operand], ray.origin, ray.direction, ends);
         std::vector<double>& own = intervals.emplace_back();
-        for (int k = 0; k < count; ++k) {
-            if (!(t[2 * k] < t[2 * k + 1])) continue;
-            for (int end = 0; end < 2; ++end) {
-                own.push_back(t[2 * k + end]);
+        for (std::size_t k = 0; k < ends.size(); k += 2) {
+            if (!(ends[k] < ends[k + 1])) continue;
+            for (std::size_t end = 0; end < 2; ++end) {
+                own.push_back(ends[k + end]);
                 if (number::abs(own.back()) < number::k_infinity)
                     all.push_back({static_cast<int>(operand), own.back(), end == 0, false, false});
             }

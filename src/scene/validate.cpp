@@ -113,8 +113,9 @@ class Validator : public PartValidator {
         for (const std::string& mistake : shapes_.mistakes(s)) shape_error(i, mistake);
         for (const Shape& operand : operands_of(scene_, s)) {
             if (!indexed(operand.material, materials)) shape_error(i, "an operand: no such material");
+            if (operand.kind == ShapeKind::mesh) check_mesh_map(i, compose(map_of(s), map_of(operand)));
         }
-        if (s.kind == ShapeKind::mesh && s.transform < scene_.transforms.size()) check_mesh_map(i);
+        if (s.kind == ShapeKind::mesh) check_mesh_map(i, map_of(s));
         if (i >= scene_.shape_colors.size()) return;
         check_shape_color(scene_.shape_colors[i], scene_.shape_texts.place(i), [&] {
             begin(SceneItem::shape, i);
@@ -122,11 +123,14 @@ class Validator : public PartValidator {
         });
     }
 
+    Affine map_of(const Shape& s) const {
+        return s.transform < scene_.transforms.size() ? scene_.transforms[s.transform] : Affine{};
+    }
+
     // Rays are mapped into the mesh's coordinates. Measured: of a stretched mesh that a map makes round
     // again, the picture is that of its triangles up to 1e7; at 1e8, thousands of pixels are others. Factors
     // along the mesh's own axes do no harm: they are left out.
-    void check_mesh_map(std::uint32_t i) {
-        const Affine& map = scene_.transforms[scene_.shapes[i].transform];
+    void check_mesh_map(std::uint32_t i, const Affine& map) {
         const std::optional<Affine> inverted = inverse(map);
         if (!inverted) return;  // check_transform() says so
         Affine shear = map, back = *inverted;

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <span>
 
+#include "scene/closed_mesh.h"
 #include "scene/ranges.h"
 #include "scene/validate_mesh.h"
 #include "scene/validate_solid.h"
@@ -18,8 +19,8 @@ namespace {
 class ParameterCheck {
   public:
     ParameterCheck(const Scene& scene, std::vector<std::string>& mistakes,
-                   std::set<const MeshData*>& valid_meshes)
-        : scene_(scene), mistakes_(mistakes), valid_meshes_(valid_meshes) {}
+                   std::set<const MeshData*>& valid_meshes, std::set<const MeshData*>& closed_meshes)
+        : scene_(scene), mistakes_(mistakes), valid_meshes_(valid_meshes), closed_meshes_(closed_meshes) {}
 
     void check(const Shape& s) {
         switch (s.kind) {
@@ -153,17 +154,34 @@ class ParameterCheck {
     }
     void check_operand(std::size_t number, const Shape& operand) {
         std::vector<std::string> mistakes;
-        if (!encloses_space(scene_, operand)) {
+        if (operand.kind == ShapeKind::mesh) {
+            ParameterCheck(scene_, mistakes, valid_meshes_, closed_meshes_).check(operand);
+            if (mistakes.empty())
+                check_closed(*scene_.meshes[scene_.get<Mesh>()[operand.index].mesh], mistakes);
+        } else if (!encloses_space(scene_, operand)) {
             mistakes.push_back(fmt::format(
                 "expected a shape that encloses a space (a sphere, box, torus, quadric, quartic or plane, "
-                "or a cylinder or cone with caps), found a {}",
+                "a cylinder or cone with caps, or a closed mesh), found a {}",
                 to_string(operand.kind)));
         } else {
-            ParameterCheck(scene_, mistakes, valid_meshes_).check(operand);
+            ParameterCheck(scene_, mistakes, valid_meshes_, closed_meshes_).check(operand);
         }
         if (operand.transform != k_none && operand.transform >= scene_.transforms.size())
             mistakes.emplace_back("no such transform");
         for (const std::string& mistake : mistakes) say(fmt::format("operand {}: {}", number + 1, mistake));
+    }
+
+    void check_closed(const MeshData& mesh, std::vector<std::string>& mistakes) {
+        if (closed_meshes_.contains(&mesh)) return;
+        const std::optional<std::uint32_t> open = find_open_triangle(mesh);
+        if (!open) {
+            closed_meshes_.insert(&mesh);
+            return;
+        }
+        mistakes.push_back(fmt::format(
+            "expected a closed mesh, with each edge in two triangles that have it in opposite directions; "
+            "triangle {} has another",
+            *open));
     }
 
     void check_vertices(std::span<const Vec3> vertices) {
@@ -174,7 +192,7 @@ class ParameterCheck {
 
     const Scene& scene_;
     std::vector<std::string>& mistakes_;
-    std::set<const MeshData*>& valid_meshes_;
+    std::set<const MeshData*>&valid_meshes_, &closed_meshes_;
 };
 
 }  // namespace
@@ -183,7 +201,7 @@ std::string text(Vec3 v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
 
 const std::vector<std::string>& ShapeCheck::mistakes(const Shape& shape) {
     mistakes_.clear();
-    ParameterCheck(scene_, mistakes_, valid_meshes_).check(shape);
+    ParameterCheck(scene_, mistakes_, valid_meshes_, closed_meshes_).check(shape);
     return mistakes_;
 }
 

@@ -23,7 +23,7 @@ class ShapeCheck {
   private:
     const Scene& scene_;
     std::vector<std::string> mistakes_;
-    std::set<const MeshData*> valid_meshes_;  // that shapes have, checked once each
+    std::set<const MeshData*> valid_meshes_, closed_meshes_;  // that shapes have, checked once each
 };
 
 }  // namespace glint

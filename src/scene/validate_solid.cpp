@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "scene/closed_mesh.h"
+#include "scene/validate_mesh.h"
+
 namespace glint {
 
 bool encloses_space(const Scene& scene, const Shape& shape) {
@@ -25,9 +28,14 @@ bool encloses_space(const Scene& scene, const Shape& shape) {
         case ShapeKind::triangle:
         case ShapeKind::smooth_triangle:
         case ShapeKind::polygon:
-        case ShapeKind::mesh:
         case ShapeKind::solid:
             return false;
+        case ShapeKind::mesh: {
+            const auto& meshes = scene.get<Mesh>();
+            const std::uint32_t index = shape.index < meshes.size() ? meshes[shape.index].mesh : k_none;
+            if (index >= scene.meshes.size() || scene.meshes[index] == nullptr) return false;
+            return mistake_in(*scene.meshes[index]).empty() && !find_open_triangle(*scene.meshes[index]);
+        }
     }
     return false;
 }

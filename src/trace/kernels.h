@@ -34,11 +34,10 @@ struct Kernels {
     /// The camera rays of pixels, in their order.
     void (*make_pixel_rays)(const WorldParts&, const PixelList&, RayBatch&);
 
-    /// Where a line is inside of the operand of a slot: writes the t of up to k_max_intervals entries and
-    /// exits, in their order, and returns their number. One that is not there may be empty: its entry is not
-    /// below its exit.
-    int (*operand_intervals)(const PackedGeometry&, std::uint32_t slot, Vec3 origin, Vec3 direction,
-                             double* to);
+    /// Where a line is inside of the operand of a slot: replaces the list by the t of entries and exits, in
+    /// their order. One that is not there may be empty: its entry is not below its exit.
+    void (*operand_intervals)(const PackedGeometry&, std::uint32_t slot, Vec3 origin, Vec3 direction,
+                              std::vector<double>& to);
 
     /// Traces the rays of the scratch's pixels without lighting them, and adds the surfaces to the record.
     void (*follow_pixels)(const WorldParts&, TileScratch&, SurfaceRecord&);

@@ -50,7 +50,7 @@ GLINT_SMALL ExplainedHit recorded_hit(const WorldParts& world, const SurfaceBatc
     ExplainedHit hit;
     const SurfaceId id = surfaces.surface(i);
     hit.shape = world.geometry->shape_of(id);
-    hit.element = id.element;
+    hit.element = world.geometry->part_of(id);
     hit.material = surfaces.material[h];
     hit.point = vec3_at(surfaces.point, i);
     if (const std::optional<MeshPlace> place = mesh_place(*world.geometry, id, hit.point)) {

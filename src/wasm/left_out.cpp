@@ -17,6 +17,7 @@
 #include "glint/compare.h"
 #include "glint/diagnose.h"
 #include "image/texture_image.h"
+#include "scene/closed_mesh.h"
 #include "scene/solid_steps.h"
 #include "scene/validate_solid.h"
 #include "trace/hits/hit_rule-inl.h"
@@ -44,6 +45,7 @@ namespace glint {
 // Texts with solids end here: the rest is what others call.
 void close_glint_solid(GlintText&, const Token&, GlintSolid&, const GlintItem&) { leave_out(); }
 bool encloses_space(const Scene&, const Shape&) { return false; }
+std::optional<std::uint32_t> find_open_triangle(const MeshData&) { return {}; }
 std::string mistake_in_steps(const SolidTree&) { return {}; }
 SolidSteps::SolidSteps(const SolidTree& tree) : tree_(tree) {}
 std::vector<std::size_t> SolidSteps::parts(std::size_t) const { return {}; }
@@ -54,7 +56,8 @@ PackedSolid pack_solid(const Primitives&, const PrimitiveSolid&, std::span<const
 }
 void HWY_NAMESPACE::ShapeTests::solids_leaf(const ShapeClass&, const RayPacket&, std::uint64_t, std::uint32_t,
                                             std::uint32_t) {}
-int HWY_NAMESPACE::operand_intervals(const PackedGeometry&, std::uint32_t, Vec3, Vec3, double*) { return 0; }
+void HWY_NAMESPACE::operand_intervals(const PackedGeometry&, std::uint32_t, Vec3, Vec3,
+                                      std::vector<double>&) {}
 void find_solid_crossings(const Scene&, const WorldParts&, const Kernels&, Explanation&) {}
 
 // No world has a fault here: only compare and diagnose make them.

@@ -303,7 +303,7 @@ class RandomScene {
         };
         for (std::size_t i = 0; i < count; ++i) {
             const std::uint32_t own = some(s.materials.size()), map = some(s.transforms.size());
-            switch (pick(depth < 3 ? 7 : 6)) {
+            switch (pick(depth < 3 ? 8 : 7)) {
                 case 0:
                     s.add(Sphere{point(), length()}, own, map);
                     break;
@@ -326,6 +326,10 @@ class RandomScene {
                         s.add(Quadric{direction(), point(), point(), coordinate()}, own, map);
                     }
                     break;
+                case 6:
+                    make_tetrahedron(s);
+                    s.add(Mesh{static_cast<std::uint32_t>(s.meshes.size() - 1)}, own, map);
+                    break;
                 default:
                     make_solid(s, own, map, depth + 1);
             }
@@ -333,6 +337,12 @@ class RandomScene {
         const auto operation = static_cast<SolidOperation>(1 + pick(count == 1 ? 6 : 4));
         combine_last(s, operation == SolidOperation::inverse && count > 1 ? SolidOperation::merge : operation,
                      first, material, transform);
+    }
+    void make_tetrahedron(Scene& s) {
+        MeshData mesh;
+        for (int i = 0; i < 4; ++i) mesh.positions.push_back(point());
+        mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+        s.meshes.push_back(std::make_shared<const MeshData>(std::move(mesh)));
     }
     void make_mesh(Scene& s) {
         const auto single = [](Vec3 v) {

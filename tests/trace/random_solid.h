@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 // Random solids, and what is inside of them by definition.
+#include <cmath>
 #include <functional>
+#include <memory>
 
 #include "glint/scene.h"
 #include "trace/rays.h"
@@ -23,12 +25,38 @@ template <class T> Shape shape_of(Scene& scene, const T& parameters) {
     return shape;
 }
 
+/// An octahedron around a point, with its corners at the distance r along the axes; its triangles are turned
+/// outwards or inwards.
+inline Shape octahedron(Scene& scene, Vec3 at, double r, bool is_inside_out) {
+    auto mesh = std::make_shared<MeshData>();
+    for (const double side : {r, -r}) {
+        for (const Vec3 axis : {Vec3{side, 0, 0}, Vec3{0, side, 0}, Vec3{0, 0, side}})
+            mesh->positions.push_back(at + axis);
+    }
+    for (std::uint32_t corner = 0; corner < 8; ++corner) {
+        const auto end = [&](std::uint32_t axis) { return (corner >> axis & 1) != 0 ? axis + 3 : axis; };
+        const bool is_even = ((corner ^ corner >> 1 ^ corner >> 2) & 1) == 0;
+        if (is_even != is_inside_out)
+            mesh->triangles.push_back({end(0), end(1), end(2)});
+        else
+            mesh->triangles.push_back({end(0), end(2), end(1)});
+    }
+    scene.meshes.push_back(std::move(mesh));
+    return shape_of(scene, Mesh{static_cast<std::uint32_t>(scene.meshes.size() - 1)});
+}
+
+/// A solid of one shape: a mesh has an inside only in a solid.
+inline Shape solid_of(Scene& scene, const Shape& shape) {
+    scene.solids.push_back(combine(scene, SolidOperation::merge, {&shape, 1}));
+    return shape_of(scene, Solid{static_cast<std::uint32_t>(scene.solids.size() - 1)});
+}
+
 /// Within the cube of half edge 2 around the origin, or a half-space.
 inline Part random_part(Scene& scene, Random& random) {
     const Vec3 at = point_in_cube(random, 1);
     const Vec3 along = chance(random, 0.5) ? axis_direction(random) : unit_direction(random);
     const double r = random.uniform(0.2, 1);
-    switch (below(random, 7)) {
+    switch (below(random, 8)) {
         case 0:
             return {shape_of(scene, Sphere{at, r}), [=](Vec3 p) { return length(p - at) < r; }};
         case 1: {
@@ -64,6 +92,11 @@ inline Part random_part(Scene& scene, Random& random) {
                         return s.x * q.x * q.x + s.y * q.y * q.y + s.z * q.z * q.z < size;
                     }};
         }
+        case 6:
+            return {solid_of(scene, octahedron(scene, at, r, chance(random, 0.5))), [=](Vec3 p) {
+                        const Vec3 q = p - at;
+                        return std::fabs(q.x) + std::fabs(q.y) + std::fabs(q.z) < r;
+                    }};
         default:
             return {shape_of(scene, Plane{at, along}), [=](Vec3 p) { return dot(p - at, along) < 0; }};
     }
@@ -79,7 +112,7 @@ inline Part random_solid(Scene& scene, Random& random, int most) {
                               : static_cast<int>(SolidOperation::intersection) + below(random, 2));
     const Shape parts[] = {a.shape, b.shape};
     scene.solids.push_back(combine(scene, operation, parts));
-    Shape solid = shape_of(scene, Solid{static_cast<std::uint32_t>(scene.solids.size() - 1)});
+    const Shape solid = shape_of(scene, Solid{static_cast<std::uint32_t>(scene.solids.size() - 1)});
     const Inside x = a.inside, y = b.inside;
     if (operation == SolidOperation::merge) return {solid, [=](Vec3 p) { return x(p) || y(p); }};
     if (operation == SolidOperation::difference) return {solid, [=](Vec3 p) { return x(p) && !y(p); }};

@@ -17,8 +17,8 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 /// See Kernels::operand_intervals.
-int operand_intervals(const PackedGeometry& geometry, std::uint32_t slot, Vec3 origin, Vec3 direction,
-                      double* to);
+void operand_intervals(const PackedGeometry& geometry, std::uint32_t slot, Vec3 origin, Vec3 direction,
+                       std::vector<double>& to);
 
 /// See Kernels::nearest_hit and Kernels::any_hit (trace/kernels.h).
 void nearest_hit(const WorldParts& world, const RaySpan& rays, int count, int packet, HitColumns hits);

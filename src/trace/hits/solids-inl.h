@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rays and solids. They extend the hit rule:
 //   The crossings of a solid are those of its operands, along the whole line; those of an operand count if
-//   the line meets its padded box by the slab expression. Crossings that follow one within 1e-9 of the size
-//   of its point's coordinates, and 2^-44 of those of the ray's origin, are one event with it. A ray hits
-//   the solid at an event at which the solid's inside begins or ends, by the states of all operands before
-//   and after it (solid_states-inl.h). t is clamped to the interval of the solid's padded box.
+//   the line meets its padded box by the slab expression; those of a mesh are of the mapped line, which
+//   crosses its edges and vertices exactly once (world/geometry/mesh_crossings.h). Crossings that follow one
+//   within 1e-9 of the size of its point's coordinates, and 2^-44 of those of the ray's origin, are one event
+//   with it. A ray hits the solid at an event at which the solid's inside begins or ends, by the states of
+//   all operands before and after it (solid_states-inl.h). t is clamped to the interval of the solid's padded
+//   box.
 #if defined(GLINT_TRACE_SOLIDS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef GLINT_TRACE_SOLIDS_INL_H_
 #undef GLINT_TRACE_SOLIDS_INL_H_
@@ -18,6 +20,7 @@
 #include "geometry/crossings-inl.h"
 #include "trace/hits/hit_rule-inl.h"
 #include "trace/hits/solid_states-inl.h"
+#include "world/geometry/mesh_crossings-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace glint {
@@ -30,18 +33,27 @@ struct OperandCrossings {
     const Ray<Doubles>& ray;
     Crossing<Doubles>* to;
     int count = 0;
+    /// Of the operand's kind, whether it is transformed or not.
+    void find() { visit_geometry(shapes.kind, false, *this); }
     template <class Geometry> HWY_INLINE void visit() {
         if constexpr (Geometry::k_crossings > 0) find<Geometry>();
     }
 
   private:
-    // Not inline: every kernel that tests solids would contain every kind.
+    // Not inline: every kernel that tests solids would contain every kind. One function finds those of
+    // transformed shapes, too, as Transformed<Geometry> does.
     template <class Geometry> HWY_NOINLINE void find() {
         static_assert(Geometry::k_crossings / 2 <= k_max_intervals);
         Doubles p[Geometry::k_values];
         broadcast_values<Geometry::k_values>(shapes, slot, p);
-        find_crossings<Geometry>(p, ray, to);
+        find_crossings<Geometry>(p, shapes.transformed ? mapped(Geometry::k_values) : ray, to);
         count = Geometry::k_crossings / 2;
+    }
+    /// The ray in the shape's coordinates; first: of the values of the map.
+    HWY_INLINE Ray<Doubles> mapped(int first) const {
+        Doubles map[12];
+        for (int k = 0; k < 12; ++k) map[k] = Doubles(shapes.value(first + k, slot));
+        return AffineMap::to_object(map, ray);
     }
 };
 
@@ -92,10 +104,10 @@ class SolidLanes {
                int i)
         : tests_(tests), slot_(slot), parts_(parts), ray_number_(i), ray_(tests.ray_lanes(i)) {
         if (parts.size() > k_few) {
-            many_.resize(parts.size() * k_stride * k_most);
+            grow(parts.size() * k_most);
             many_counts_.resize(parts.size());
             many_states_.resize(2 * parts.size());
-            crossings_ = many_.data(), counts_ = many_counts_.data();
+            counts_ = many_counts_.data();
             before_ = many_states_.data(), after_ = before_ + parts.size();
         }
         find_all(packet);
@@ -120,7 +132,7 @@ class SolidLanes {
             const std::uint32_t begins = to_bits(next > t_min && t > t_min) & bits;
             if (begins != 0) {
                 const std::uint32_t hit = find_surface(parts_.items(), before_, after_) & begins;
-                if (hit != 0) bits &= ~accept(hit, t);
+                if (hit != 0) bits &= ~accept(hit, t, next);
             }
             std::swap(before_, after_);
         }
@@ -143,9 +155,14 @@ class SolidLanes {
             counts_[i] = 0;
             if (met == 0) continue;
             const ShapeClass& shapes = tests_.geometry.class_of(slot);
+            if (shapes.kind == ShapeKind::mesh) {
+                counts_[i] = add_mesh(i, slot, met, found, (parts_.size() - i - 1) * k_most);
+                found += counts_[i];
+                continue;
+            }
             Crossing<Doubles> crossings[k_most];
             OperandCrossings of{shapes, slot, ray_, crossings};
-            visit_geometry(shapes.kind, shapes.transformed, of);
+            of.find();
             const auto is_met = from_bits<double>(met);
             double* to = crossings_ + found * k_stride;
             for (int k = 0; k < of.count; ++k, to += k_stride) {
@@ -156,6 +173,49 @@ class SolidLanes {
             found += of.count;
         }
         total_ = found;
+    }
+
+    /// Writes the intervals of the rays `met` with a mesh to place `first`, with room for as many as `after`
+    /// of the parts behind it. Returns the number of their vectors.
+    HWY_NOINLINE int add_mesh(std::size_t part, std::uint32_t slot, std::uint32_t met, int first,
+                              std::size_t after) {
+        constexpr std::size_t lanes = lane_count<double>();
+        const RaySpan& rays = tests_.rays;
+        Ray<double> lines[lanes];
+        std::size_t lane_of[lanes] = {};
+        int size = 0;
+        for (; met != 0; met &= met - 1, ++size) {
+            const auto lane = static_cast<std::size_t>(__builtin_ctz(met));
+            const auto i = static_cast<std::size_t>(ray_number_) + lane;
+            lines[size] = {{rays.ox[i], rays.oy[i], rays.oz[i]}, {rays.dx[i], rays.dy[i], rays.dz[i]}};
+            lane_of[size] = lane;
+        }
+        std::vector<MeshCrossing> found[lanes];
+        find_crossings_of_mesh(tests_.geometry, slot, lines, size, found);
+        std::size_t count = 0;
+        for (int i = 0; i < size; ++i) count = number::max(count, found[i].size() / 2);
+        grow(static_cast<std::size_t>(first) + count + after);
+        double* const to = crossings_ + static_cast<std::size_t>(first) * k_stride;
+        for (std::size_t k = 0; k < count; ++k) {
+            store(Doubles(k_infinity), to + k * k_stride);
+            store(Doubles(-k_infinity), to + k * k_stride + lanes);
+        }
+        for (int i = 0; i < size; ++i) {
+            for (std::size_t k = 0; k < found[i].size(); ++k) {
+                to[k * lanes + lane_of[i]] = found[i][k].t;
+                faces_.push_back({part, lane_of[i], found[i][k]});
+            }
+        }
+        return static_cast<int>(count);
+    }
+
+    /// Makes room for as many intervals.
+    void grow(std::size_t intervals) {
+        if (intervals * k_stride <= (many_.empty() ? std::size(few_) : many_.size())) return;
+        const bool is_first = many_.empty();
+        many_.resize(intervals * k_stride);
+        if (is_first) std::copy(std::begin(few_), std::end(few_), many_.begin());
+        crossings_ = many_.data();
     }
 
     /// The least t of a crossing beyond `last`.
@@ -180,17 +240,27 @@ class SolidLanes {
         }
     }
 
-    /// Returns the rays that need no further crossings.
-    std::uint32_t accept(std::uint32_t hit, Doubles at) noexcept {
-        alignas(64) double t[lane_count<double>()];
+    /// The surface of a part that a ray meets from t on.
+    SurfaceId surface_of(std::size_t part, int lane, double t) const {
+        const std::uint32_t slot = parts_.solid().slots[parts_.operand(part)];
+        for (const MeshFace& face : faces_) {
+            if (face.part == part && face.lane == static_cast<std::size_t>(lane) && face.crossing.t >= t)
+                return {slot, face.crossing.triangle};
+        }
+        return tests_.geometry.surface_of(slot);
+    }
+
+    /// Returns the rays that need no further crossings. next: where they cross, not clamped.
+    std::uint32_t accept(std::uint32_t hit, Doubles at, Doubles next) noexcept {
+        alignas(64) double t[lane_count<double>()], from[lane_count<double>()];
         store(at, t);
+        store(next, from);
         std::uint32_t done = 0;
         for (; hit != 0; hit &= hit - 1) {
             const int lane = __builtin_ctz(hit), ray = ray_number_ + lane;
             const std::size_t part = find_face(parts_.items(), before_, after_, parts_.size(), 1u << lane);
             const HitResult& result = tests_.result;
-            result.accept(ray, t[lane],
-                          tests_.geometry.surface_of(parts_.solid().slots[parts_.operand(part)]));
+            result.accept(ray, t[lane], surface_of(part, lane, from[lane]));
             // Of several operands, some may let light pass.
             if (result.occluded != nullptr && result.occluded[ray] == 0) continue;
             done |= 1u << lane;
@@ -198,6 +268,11 @@ class SolidLanes {
         }
         return done;
     }
+
+    struct MeshFace {
+        std::size_t part, lane;
+        MeshCrossing crossing;
+    };
 
     const ShapeTests& tests_;
     const std::uint32_t slot_;  // of the solid
@@ -208,6 +283,7 @@ class SolidLanes {
     int few_counts_[k_few];
     std::uint32_t few_states_[2 * k_few];
     std::vector<double> many_;
+    std::vector<MeshFace> faces_;  // by part, ray and t
     std::vector<int> many_counts_;
     std::vector<std::uint32_t> many_states_;
     double* crossings_ = few_;   // of each, the vectors of enter and exit

@@ -13,24 +13,29 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-int operand_intervals(const PackedGeometry& geometry, std::uint32_t slot, Vec3 origin, Vec3 direction,
-                      double* to) {
+void operand_intervals(const PackedGeometry& geometry, std::uint32_t slot, Vec3 origin, Vec3 direction,
+                       std::vector<double>& to) {
+    to.clear();
+    const ShapeClass& shapes = geometry.class_of(slot);
+    if (shapes.kind == ShapeKind::mesh) {
+        for (const MeshCrossing& crossing : find_mesh_crossings(geometry, slot, origin, direction))
+            to.push_back(crossing.t);
+        return;
+    }
     const auto lanes = [](Vec3 v) HWY_ATTR {
         return Vector3<Doubles>{Doubles(v.x), Doubles(v.y), Doubles(v.z)};
     };
     const Ray<Doubles> ray{lanes(origin), lanes(direction)};
-    const ShapeClass& shapes = geometry.class_of(slot);
     Crossing<Doubles> found[k_max_intervals];
     OperandCrossings of{shapes, slot, ray, found};
-    visit_geometry(shapes.kind, shapes.transformed, of);
+    of.find();
     for (int k = 0; k < of.count; ++k) {
         alignas(64) double lane[lane_count<double>()];
         store(found[k].enter, lane);
-        *to++ = lane[0];
+        to.push_back(lane[0]);
         store(found[k].exit, lane);
-        *to++ = lane[0];
+        to.push_back(lane[0]);
     }
-    return of.count;
 }
 
 }  // namespace HWY_NAMESPACE

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "world/geometry/contains.h"
 
+#include <vector>
+
 #include "geometry/kinds-inl.h"
+#include "world/geometry/mesh_crossings.h"
 #include "world/geometry/packed_values-inl.h"
 
 namespace glint {
@@ -20,6 +23,14 @@ struct ShapeContains {
         }
     }
 };
+
+// A mesh that is an operand of a solid is closed.
+bool mesh_contains(const PackedGeometry& geometry, std::uint32_t slot, Vec3 point) {
+    const std::vector<MeshCrossing> crossings = find_mesh_crossings(geometry, slot, point, {1, 0, 0});
+    std::size_t behind = 0;
+    while (behind < crossings.size() && crossings[behind].t <= 0) ++behind;
+    return behind % 2 != 0;
+}
 
 class SolidContains {
   public:
@@ -69,6 +80,8 @@ bool contains(const PackedGeometry& geometry, std::uint32_t slot, Vec3 point) {
         const auto solid = static_cast<std::size_t>(shapes.value(0, slot));
         return SolidContains(geometry, geometry.solids[solid], point).next();
     }
+    if (shapes.kind == ShapeKind::mesh)
+        return geometry.operand_of(slot) != nullptr && mesh_contains(geometry, slot, point);
     if (geometry.is_open(geometry.surface_of(slot)) && shapes.kind != ShapeKind::plane) return false;
     ShapeContains test{shapes, slot, {point.x, point.y, point.z}};
     HWY_NAMESPACE::visit_geometry(shapes.kind, shapes.transformed, test);

@@ -92,9 +92,15 @@ bool pack_meshes(const Scene& scene, PackedMeshes& meshes, const PrepareOptions&
     meshes.assign(scene.meshes.size(), nullptr);
     const double all = std::max(1.0, count_mesh_triangles(scene));
     double done = 0;
+    std::vector<std::uint32_t> used;
+    const auto use = [&](const Shape& shape) {
+        if (shape.kind == ShapeKind::mesh) used.push_back(scene.get<Mesh>()[shape.index].mesh);
+    };
     for (const Shape& shape : scene.shapes) {
-        if (shape.kind != ShapeKind::mesh) continue;
-        const std::uint32_t index = scene.get<Mesh>()[shape.index].mesh;
+        use(shape);
+        for (const Shape& operand : operands_of(scene, shape)) use(operand);
+    }
+    for (const std::uint32_t index : used) {
         if (meshes[index] != nullptr) continue;
         const std::shared_ptr<const MeshData>& data = scene.meshes[index];
         const auto same = std::find_if(known.begin(), known.end(), [&](const auto& mesh) {

@@ -91,6 +91,10 @@ struct PackedGeometry {
     SurfaceId surface_of(std::uint32_t slot) const { return {slot, element_of(slot)}; }
     /// The index in Scene::shapes of a surface's shape.
     std::uint32_t shape_of(SurfaceId id) const { return shape_index[id.slot]; }
+    /// The operand of a solid that has the surface; of other shapes its element.
+    std::uint32_t part_of(SurfaceId id) const {
+        return id.slot < first_operand() ? id.element : element_of(id.slot);
+    }
     /// Whether a surface is in the hierarchy, or its solid is.
     bool is_bounded(SurfaceId id) const { return id.slot < bounded || id.slot >= first_operand(); }
     /// Whether a surface's shape encloses no space: `facing = open` applies to it.

@@ -213,7 +213,7 @@ void Primitives::prefetch_parameters(std::uint32_t index) const {
 Aabb Primitives::box_of_mesh(const Shape& shape) const {
     constexpr double k_map_error = 0x1p-40;
     const PackedMesh& mesh = mesh_of(shape);
-    const Affine map = shape.transform == k_none ? Affine{} : scene_.transforms[shape.transform];
+    const Affine map = shape.transform == k_none ? Affine{} : this->map(shape.transform);
     const Extent box = mapped_box(map, mesh.lo, mesh.hi);
     const double pad = map_magnitude(map, mesh.lo, mesh.hi) * k_map_error;
     return padded_box(box.lo - Vec3{pad, pad, pad}, box.hi + Vec3{pad, pad, pad});
@@ -221,7 +221,7 @@ Aabb Primitives::box_of_mesh(const Shape& shape) const {
 
 int Primitives::pack_mesh(const Shape& shape, double* values) const {
     const PackedMesh& mesh = mesh_of(shape);
-    const Affine map = shape.transform == k_none ? Affine{} : scene_.transforms[shape.transform];
+    const Affine map = shape.transform == k_none ? Affine{} : this->map(shape.transform);
     const Affine object_from_world = shape.transform == k_none ? map : inverse(map).value_or(Affine{});
     int n = 0;
     for (const auto& row : object_from_world.m) {
@@ -269,6 +269,21 @@ Aabb Primitives::box_of(const Primitive& primitive) const {
         lo = extent.lo, hi = extent.hi;
     }
     return padded_box(lo, hi);
+}
+
+// By its volume, of which each triangle spans a part with a corner of the box.
+bool Primitives::is_inside_out(const Primitive& primitive) const {
+    const Shape& shape = shape_of(primitive);
+    if (shape.kind != ShapeKind::mesh) return false;
+    const PackedMesh& packed = mesh_of(shape);
+    const MeshData& mesh = *packed.data;
+    double volume = 0;
+    for (const TriangleCorners& corners : mesh.triangles) {
+        const Vec3 a = mesh.position(corners[0]) - packed.lo, b = mesh.position(corners[1]) - packed.lo,
+                   c = mesh.position(corners[2]) - packed.lo;
+        volume += dot(a, cross(b, c));
+    }
+    return volume < 0;
 }
 
 bool Primitives::is_open(const Primitive& primitive) const {

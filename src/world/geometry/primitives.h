@@ -74,6 +74,8 @@ class Primitives {
     std::span<const PrimitiveSolid> solids() const { return solids_; }
     /// The padded box; of a shape without ends, from -k_endless to k_endless.
     Aabb box_of(const Primitive& primitive) const;
+    /// Whether the primitive is a closed mesh whose normals point inwards.
+    bool is_inside_out(const Primitive& primitive) const;
     /// Whether the primitive's shape encloses no space.
     bool is_open(const Primitive& primitive) const;
 
