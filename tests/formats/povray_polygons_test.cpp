@@ -57,7 +57,7 @@ TEST(PovRayPolygons, WhatAnEvenNumberOfEdgesSurroundsIsAHole) {
                 (4 - 0.125) * 1.1180339887, 1e-6);
     EXPECT_NE(said_of_polygons("difference { box { -1, 1 } polygon { 10, " + k_square +
                                ", <0, 0>, <.5, .5>, <1, .5>, <1, 1>, <.5, 1>, <.5, .5> } }")
-                  .find("`polygon` (in a solid)"),
+                  .find("`polygon` (that is open, in a solid)"),
               std::string::npos);
 }
 

@@ -22,6 +22,7 @@ import height_fields
 import images
 import layers
 import lights
+import mesh_solids
 import output
 import patterns
 import pov
@@ -37,7 +38,7 @@ import transparency
 
 SHARE = 0.99
 LISTS = [lights.RULES, fog.RULES, alpha.RULES, finish.RULES, transparency.RULES, sky.RULES, output.RULES, dat.RULES, pov.RULES,
-         images.RULES, layers.RULES, averages.RULES, patterns.RULES, quadrics.RULES, quartics.RULES, refraction.RULES, fading.RULES, solids.RULES, sweeps.RULES,
+         images.RULES, layers.RULES, averages.RULES, patterns.RULES, quadrics.RULES, quartics.RULES, refraction.RULES, fading.RULES, solids.RULES, mesh_solids.RULES, sweeps.RULES,
          height_fields.RULES, tori.RULES, texts.RULES]
 
 

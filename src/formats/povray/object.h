@@ -49,6 +49,12 @@ struct ReadMesh {
     CountedVector<TriangleCorners> uv_corners;  ///< likewise
     CountedVector<std::shared_ptr<const Texture>> textures;
     bool has_inside = false;  ///< a ray that begins in it is inside: by `inside_vector`
+    /// What closed_mesh() has found.
+    struct Closed {
+        bool is_known = false, is_closed = false;
+        std::shared_ptr<const ReadMesh> changed;  ///< if the mesh itself is not closed
+    };
+    mutable Closed closed{};
     /// The first vertex beyond what glint renders, as the text has it, and its number.
     std::optional<std::pair<std::size_t, Vec3>> far;
 

@@ -3,9 +3,6 @@
 // The edges of faces need not be shared, as those of a prism's caps.
 #include "formats/povray/outward_faces.h"
 
-#include <array>
-#include <utility>
-
 #include "math/number.h"
 
 namespace glint::povray {
@@ -14,6 +11,15 @@ namespace {
 struct Face {
     Vec3 a, ab, ac, normal;
 };
+
+// Not along an axis or a normal, where a line meets the edges of faces in regular meshes.
+constexpr Vec3 k_askew{0.0137, -0.0171, 0.0113};
+
+Face face_of(const ReadMesh& mesh, const TriangleCorners& corners) {
+    const Vec3 a = to_vec3(mesh.vertices[corners[0]]), ab = to_vec3(mesh.vertices[corners[1]]) - a,
+               ac = to_vec3(mesh.vertices[corners[2]]) - a;
+    return {a, ab, ac, cross(ab, ac)};
+}
 
 // Whether the line origin + t direction meets the face, at t > 0.
 bool meets(const Face& face, Vec3 origin, Vec3 direction) {
@@ -26,6 +32,13 @@ bool meets(const Face& face, Vec3 origin, Vec3 direction) {
     return u >= 0 && v >= 0 && u + v <= 1 && t > 0;
 }
 
+CountedVector<Face> faces_of(const ReadMesh& mesh) {
+    CountedVector<Face> faces;
+    faces.reserve(mesh.triangles.size());
+    for (const TriangleCorners& t : mesh.triangles) faces.push_back(face_of(mesh, t));
+    return faces;
+}
+
 // Whether an odd number of the other faces is in this direction from the middle of a face.
 bool is_odd(const CountedVector<Face>& faces, std::size_t of, Vec3 direction) {
     const Vec3 middle = faces[of].a + (faces[of].ab + faces[of].ac) * (1.0 / 3);
@@ -35,33 +48,24 @@ bool is_odd(const CountedVector<Face>& faces, std::size_t of, Vec3 direction) {
     return odd;
 }
 
+double largest(Vec3 v) {
+    return number::max(number::max(number::abs(v.x), number::abs(v.y)), number::abs(v.z));
+}
+
+Vec3 outward_direction(const Face& face) { return face.normal * (1 / largest(face.normal)) + k_askew; }
+
 }  // namespace
 
-std::shared_ptr<const ReadMesh> facing_outwards(const ReadMesh& mesh) {
-    auto turned = make_counted<ReadMesh>(mesh);
-    CountedVector<Face> faces;
-    for (const TriangleCorners& t : mesh.triangles) {
-        const Vec3 a = to_vec3(mesh.vertices[t[0]]), ab = to_vec3(mesh.vertices[t[1]]) - a,
-                   ac = to_vec3(mesh.vertices[t[2]]) - a;
-        faces.push_back({a, ab, ac, cross(ab, ac)});
-    }
-    const auto turn = [](CountedVector<TriangleCorners>& corners, std::size_t i) {
-        if (i < corners.size()) std::swap(corners[i][1], corners[i][2]);
-    };
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-        const Vec3 n = faces[i].normal;
-        const double size = number::max(number::max(number::abs(n.x), number::abs(n.y)), number::abs(n.z));
-        if (!(size > 0)) continue;
-        // Not along the normal, which meets the edges of faces in regular meshes.
-        const Vec3 direction = n * (1 / size) + Vec3{0.0137, -0.0171, 0.0113};
-        const bool is_inside = is_odd(faces, i, direction);
-        if (is_inside == is_odd(faces, i, -direction)) return nullptr;
-        if (!is_inside) continue;
-        for (auto* const corners :
-             {&turned->triangles, &turned->normal_corners, &turned->texture_corners, &turned->uv_corners})
-            turn(*corners, i);
-    }
-    return turned;
+bool faces_outwards(const ReadMesh& mesh, std::size_t triangle) {
+    const CountedVector<Face> faces = faces_of(mesh);
+    if (!(largest(faces[triangle].normal) > 0)) return true;
+    return !is_odd(faces, triangle, outward_direction(faces[triangle]));
+}
+
+bool is_in_mesh(const ReadMesh& mesh, Vec3 point) {
+    bool odd = false;
+    for (const TriangleCorners& t : mesh.triangles) odd = odd != meets(face_of(mesh, t), point, k_askew);
+    return odd;
 }
 
 }  // namespace glint::povray

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include <memory>
-
 #include "formats/povray/object.h"
 
 namespace glint::povray {
 
-/// The most triangles that facing_outwards() turns: it takes a time in proportion to their square.
-inline constexpr std::size_t k_max_turned_faces = 3000;
+/// Whether the vertices of a triangle of a closed mesh are counterclockwise seen from outside. Takes a time
+/// in proportion to the mesh's triangles.
+bool faces_outwards(const ReadMesh& mesh, std::size_t triangle);
 
-/// The mesh with the triangles turned that faced inwards, so that their vertices are counterclockwise seen
-/// from outside. Null if it encloses no space. At most k_max_turned_faces triangles.
-std::shared_ptr<const ReadMesh> facing_outwards(const ReadMesh& mesh);
+/// Whether a point is in a closed mesh. Takes a time in proportion to its triangles.
+bool is_in_mesh(const ReadMesh& mesh, Vec3 point);
 
 }  // namespace glint::povray

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "formats/povray/add_shape.h"
-#include "formats/povray/outward_faces.h"
+#include "formats/povray/closed_mesh.h"
 #include "scene/validate_shapes.h"
 
 namespace glint::povray {
@@ -39,18 +39,22 @@ MeshParts* SceneBuilder::parts_of(const Object& object) {
 
 // Light fades by the side of the faces from which it comes.
 void SceneBuilder::place_mesh(const Object& o, const Inherited& own) {
-    const std::size_t count = o.mesh->triangles.size();
+    if (own.in_solid || own.clips) {
+        Object closed = o;
+        closed.mesh = closed_mesh(o.mesh);
+        return place_faces(closed, own);
+    }
     if (!(fade_of(own).distance > 0) || !is_clear_somewhere(*o.mesh, *own.texture))
         return place_faces(o, own);
     PlacedMesh& known = meshes_[o.mesh.get()];
     known.mesh = o.mesh;
-    if (!known.turned && !known.is_open && count <= k_max_turned_faces) {
-        if (!stream_.spend(count * count / 16)) return;
+    if (!known.turned && !known.is_open) {
+        if (!stream_.spend(o.mesh->triangles.size())) return;
         known.turned = facing_outwards(*o.mesh);
         known.is_open = !known.turned;
     }
     if (!known.turned) {
-        report({"fade_distance", "of a mesh that is open, or has many triangles", stream_.call_place(o.at)});
+        report({"fade_distance", "of a mesh that is open", stream_.call_place(o.at)});
         return place_faces(o, own);
     }
     Object facing = o;

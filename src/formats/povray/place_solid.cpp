@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "formats/povray/clip.h"
+#include "formats/povray/closed_mesh.h"
 #include "formats/povray/object_parser.h"
 #include "formats/povray/reach.h"
 #include "formats/povray/scene_builder.h"
@@ -16,21 +17,28 @@
 namespace glint::povray {
 namespace {
 
-bool is_open_kind(const Object& object) {
+// Why it cannot be a part of a solid; empty: it can.
+std::string_view reason_against(const Object& object) {
+    constexpr std::string_view in_solid = "in a solid";
     switch (object.kind) {
         case ObjectKind::disc:
         case ObjectKind::triangle:
         case ObjectKind::smooth_triangle:
         case ObjectKind::polygon:
-        case ObjectKind::mesh:
         case ObjectKind::height_field:
         case ObjectKind::light:
-            return true;
+            return in_solid;
         case ObjectKind::cylinder:
         case ObjectKind::cone:
-            return object.is_open;
+            return object.is_open ? in_solid : std::string_view();
+        case ObjectKind::mesh:
+            if (!object.mesh) return {};
+            if (object.stands_for.empty() && !object.mesh->has_inside)
+                return "without `inside_vector` in a solid";
+            if (!object.mesh->textures.empty()) return "with textures of its faces in a solid";
+            return closed_mesh(object.mesh) ? std::string_view() : "that is open, in a solid";
         default:
-            return false;
+            return {};
     }
 }
 
@@ -93,8 +101,8 @@ void add_operand_errors(const Object& object, MissingList& missing, std::string_
     for (const Missing& each : object.missing) {
         if (each.is_error) missing.add(each);
     }
-    if (is_open_kind(object)) {
-        Missing open{stands_for.empty() ? name_of_open(object.kind) : stands_for, "in a solid", object.at};
+    if (const std::string_view reason = reason_against(object); !reason.empty()) {
+        Missing open{stands_for.empty() ? name_of_open(object.kind) : stands_for, reason, object.at};
         open.is_error = true;
         missing.add(open);
     }

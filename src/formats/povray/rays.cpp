@@ -7,6 +7,8 @@
 
 #include <vector>
 
+#include "formats/povray/closed_mesh.h"
+#include "formats/povray/outward_faces.h"
 #include "formats/povray/scene_builder.h"
 #include "formats/povray/value_parser.h"
 #include "glint/world.h"
@@ -19,6 +21,16 @@ namespace {
 constexpr double k_ray_begin = 1e-4;
 constexpr std::size_t k_max_traced = 64;
 constexpr std::uint64_t k_bytes_a_step = 512;  // of a World, so that loops that make many end
+
+// What is_inside() takes of meshes.
+std::uint64_t mesh_steps(const Object& object) {
+    std::uint64_t steps = object.mesh ? object.mesh->triangles.size() / 16 : 0;
+    if (object.parts) {
+        for (const ObjectPart& part : *object.parts) steps += mesh_steps(*part);
+    }
+    for (const ClipObject& clip : object.clips) steps += mesh_steps(*clip.object);
+    return steps;
+}
 
 bool is_inside(const Object& o, Vec3 p) {
     if (o.map) {
@@ -61,6 +73,9 @@ bool is_inside(const Object& o, Vec3 p) {
             break;
         case ObjectKind::quartic:
             is_in = quartic_value(o.quartic->coefficients, p) <= 0;
+            break;
+        case ObjectKind::mesh:
+            is_in = is_in_mesh(*closed_mesh(o.mesh), p);
             break;
         default: {
             bool all = true, any = false;
@@ -183,7 +198,7 @@ Numbers ValueParser::inside(const Token& function) {
     const auto object = object_argument();
     accept(',');
     const Vec3 point = vector();
-    if (failed() || !spend(object->count)) return {};
+    if (failed() || !spend(object->count + mesh_steps(*object))) return {};
     bool is_known = encloses_space(*object);
     for (const ClipObject& clip : object->clips) is_known = is_known && encloses_space(*clip.object);
     if (!is_known) {
