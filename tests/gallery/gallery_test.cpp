@@ -73,7 +73,7 @@ const GalleryPicture k_gallery[] = {
     {"glint/three_spots.glint", "size=160x107", 0x39bec1930ad04fca},
     {"glint/two_colors_of_light.glint", "size=160x56", 0x57bcbe22b1d9adc1},
     {"glint/window.glint", "size=160x107", 0xb4465917fa5eac4c},
-    {"gltf/studio.gltf", "size=160x107 aa=2", 0xde4fe7b39c54ab92},
+    {"gltf/studio.gltf", "size=160x107 aa=2", 0x1501e7a657f033a4},
     {"nff/fullerene.nff", "size=160x160", 0x7aa7f30a328e56de},
     {"nff/pyramid.nff", "size=160x160", 0x6294b60ab0edf756},
     {"nff/sphereflake.nff", "size=160x160", 0x521febdf13037dff},
