@@ -25,30 +25,6 @@ TEST(Info, Text) {
     EXPECT_TRUE(contains(r.out.substr(limit, 60), "command line")) << r.out;
 }
 
-// A .pov of plain words that is also a scene of CSC 473, with a picture that POV-Ray mirrors.
-TEST(Info, APovThatPovRayMirrorsIsNoted) {
-    const Folder folder;
-    const auto said = [&](const std::string& camera, const std::vector<std::string>& options = {}) {
-        folder.write("a.pov",
-                     "camera { " + camera +
-                         " }\nlight_source { <0, 9, 9> color rgb <1, 1, 1> }\nsphere { <0, 0, 0>, 1 }\n");
-        std::vector<std::string> arguments{"info", "a.pov"};
-        arguments.insert(arguments.end(), options.begin(), options.end());
-        const Finished done = run(folder, arguments);
-        EXPECT_EQ(done.code, 0);
-        return done.err;
-    };
-    const std::string front = "location <0, 0, 5> look_at <0, 0, 0>";
-    const std::string note = said(front);
-    EXPECT_TRUE(contains(note, "a.pov:1:1: note: read as a scene of CSC 473")) << note;
-    EXPECT_TRUE(contains(note, "`--format povray`")) << note;
-    EXPECT_TRUE(contains(note, "\n  camera {")) << note;
-    EXPECT_NE(said(front + " right <1.33, 0, 0>"), "");
-    EXPECT_EQ(said(front, {"--format", "csc473"}), "");
-    EXPECT_EQ(said(front, {"--format", "povray"}), "");
-    EXPECT_EQ(said("location <0, 0, -5> look_at <0, 0, 0>"), "") << "right is right in both";
-}
-
 TEST(Info, MaxMemory) {
     const Folder folder;
     folder.write("a.pov", "union { #while(1) sphere { 0, 1 } #end }");

@@ -335,6 +335,31 @@ TEST(Render, AMissingIncludeIsAnErrorEvenWhenQuiet) {
     EXPECT_FALSE(folder.has("a.png"));
 }
 
+// A .pov of plain words that is also a scene of CSC 473, with a picture that POV-Ray mirrors.
+TEST(Render, APovThatPovRayMirrorsIsNoted) {
+    const Folder folder;
+    const auto said = [&](const std::string& camera, const std::vector<std::string>& options = {}) {
+        folder.write("a.pov",
+                     "camera { " + camera +
+                         " }\nlight_source { <0, 9, 9> color rgb <1, 1, 1> }\nsphere { <0, 0, 0>, 1 }\n");
+        std::vector<std::string> arguments{"render", "a.pov", "-s", "8x6", "-o", "a.png", "--strict"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Finished done = run(folder, arguments);
+        EXPECT_EQ(done.code, 0) << "a note is no warning";
+        const std::size_t note = done.err.find("note: ");
+        return note == std::string::npos ? std::string() : done.err;
+    };
+    const std::string front = "location <0, 0, 5> look_at <0, 0, 0>";
+    const std::string note = said(front);
+    EXPECT_TRUE(contains(note, "a.pov:1:1: note: read as a scene of CSC 473, ")) << note;
+    EXPECT_TRUE(contains(note, "`--format povray`")) << note;
+    EXPECT_TRUE(contains(note, "\n  camera {")) << note;
+    EXPECT_NE(said(front + " right <1.33, 0, 0>"), "");
+    EXPECT_EQ(said(front, {"--format", "csc473"}), "");
+    EXPECT_EQ(said(front, {"--format", "povray"}), "");
+    EXPECT_EQ(said("location <0, 0, -5> look_at <0, 0, 0>"), "") << "right is right in both";
+}
+
 TEST(Render, IncludesFilesFromTheSceneFolder) {
     const Folder folder;
     std::filesystem::create_directories(folder.path("scenes/parts"));
