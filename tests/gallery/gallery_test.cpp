@@ -65,7 +65,7 @@ const GalleryPicture k_gallery[] = {
     {"glint/rings.glint", "size=160x107 aa=2", 0x31e0147dfc05e08a},
     {"glint/shell.glint", "size=160x160 aa=1", 0xb3db701eb72175eb},
     {"glint/marble_and_wood.glint", "size=160x120 aa=2", 0x0f15d93ecad406ad},
-    {"glint/carved.glint", "size=160x120 aa=2", 0x4e40ef65fb074123},
+    {"glint/carved.glint", "size=160x120 aa=2", 0x8035470db1102c03},
     {"glint/solids.glint", "size=160x120 aa=2", 0xa48cceeee0a60678},
     {"glint/stained_glass.glint", "size=160x120", 0x47240280c10c692b},
     {"glint/still_life.glint", "size=160x160", 0xc59e2be8e3fb8caa},
