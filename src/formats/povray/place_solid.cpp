@@ -11,7 +11,6 @@
 #include "formats/povray/object_parser.h"
 #include "formats/povray/reach.h"
 #include "formats/povray/scene_builder.h"
-#include "formats/povray/solid_lathe.h"
 #include "math/transform.h"
 #include "scene/validate_solid.h"
 
@@ -39,8 +38,7 @@ std::string_view reason_against(const Object& object) {
             if (!object.mesh->textures.empty()) return "with textures of its faces in a solid";
             return closed_mesh(object.mesh) ? std::string_view() : "that is open, in a solid";
         default:
-            if (!object.lathe) return {};
-            return solid_lathe(object) ? std::string_view() : "that is open, in a solid";
+            return {};
     }
 }
 
@@ -83,14 +81,6 @@ bool has_clips(const Object& object) {
                                             [](const ObjectPart& part) { return has_clips(*part); });
 }
 
-// Whether a ray would take long to pass all parts of a lathe in the object.
-bool has_fine_lathe(const Object& object) {
-    constexpr std::size_t k_many = 128;
-    if (object.lathe) return solid_lathe(object) && solid_lathe(object)->parts->size() > k_many;
-    return has_parts(object) && std::any_of(object.parts->begin(), object.parts->end(),
-                                            [](const ObjectPart& part) { return has_fine_lathe(*part); });
-}
-
 // Whether some of the shapes from `first` on may overlap.
 bool have_overlap(const Scene& scene, std::size_t first) {
     constexpr std::size_t k_most = 1000;
@@ -116,7 +106,7 @@ void add_operand_errors(const Object& object, MissingList& missing, std::string_
         open.is_error = true;
         missing.add(open);
     }
-    if (!has_parts(object) || object.lathe) return;
+    if (!has_parts(object)) return;
     for (const ObjectPart& part : *object.parts) add_operand_errors(*part, missing, stands_for);
 }
 
@@ -222,7 +212,6 @@ void SceneBuilder::note_solid(std::size_t index, const Inherited& own) {
 }
 
 void SceneBuilder::place_parts(const Object& object, const Inherited& own) {
-    if (object.lathe && (own.in_solid || own.clips)) return place_parts(*solid_lathe(object), own);
     const bool is_solid = object.kind == ObjectKind::solid;
     if (is_solid && std::any_of(object.missing.begin(), object.missing.end(),
                                 [](const Missing& missing) { return missing.is_error; }))
@@ -231,7 +220,7 @@ void SceneBuilder::place_parts(const Object& object, const Inherited& own) {
     // A sphere_sweep is one shape, which clips cut as a whole.
     const bool is_cut_sweep = own.clips && !object.stands_for.empty();
     const bool shows_inside = is_cut_sweep || (!own.clips && may_be_clear(object, own.texture));
-    const bool merges = object.is_merge && shows_inside && encloses_space(object) && !has_fine_lathe(object);
+    const bool merges = object.is_merge && shows_inside && encloses_space(object);
     const bool makes_solid = is_solid || own.in_solid || merges;
     if (makes_solid) {
         parts.in_solid = true;
