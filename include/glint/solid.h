@@ -41,7 +41,7 @@ inline constexpr std::uint32_t k_max_solid_operands = 4096;
 inline constexpr int k_max_solid_depth = 100;
 
 /// The shapes of a solid, and how they are combined. An operand encloses a space: a sphere, box, torus,
-/// quadric, quartic, closed mesh, cylinder or cone with caps, or a plane: opposite to its normal.
+/// quadric, quartic, closed mesh, cylinder or cone with caps, or a plane, whose normal points out of it.
 ///
 /// A ray meets the solid where its inside begins or ends. Crossings of operands within 1e-9 of each other,
 /// relative to the coordinates there, are one: there is no surface where two faces coincide and the inside is

@@ -50,6 +50,7 @@ void check_coordinates(CheckContext& context) {
     std::vector<Use> uses(scene.materials.size());
     for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
         const Shape& shape = scene.shapes[i];
+        if (shape.kind == ShapeKind::solid) continue;  // of its operands, some may have coordinates
         if (shape.material == k_none) continue;
         const std::uint32_t texture = scene.materials[shape.material].texture;
         if (texture == k_none || scene.textures[texture].mapping != TextureMapping::uv) continue;

@@ -52,4 +52,15 @@ std::optional<std::uint32_t> find_open_triangle(const MeshData& mesh) {
     return find_open_edge(edges_of(mesh.triangles, first_vertices(positions)));
 }
 
+bool is_inside_out(const MeshData& mesh) {
+    double volume = 0;
+    const Vec3 from = mesh.position(0);
+    for (const TriangleCorners& corners : mesh.triangles) {
+        const Vec3 a = mesh.position(corners[0]) - from, b = mesh.position(corners[1]) - from,
+                   c = mesh.position(corners[2]) - from;
+        volume += dot(a, cross(b, c));
+    }
+    return volume < 0;
+}
+
 }  // namespace glint

@@ -42,4 +42,7 @@ std::optional<std::uint32_t> find_open_edge(std::span<const MeshEdge> edges);
 /// The same, of a valid mesh. Takes n log n steps.
 std::optional<std::uint32_t> find_open_triangle(const MeshData& mesh);
 
+/// Whether the triangles of a closed mesh are clockwise seen from outside: its volume is below 0.
+bool is_inside_out(const MeshData& mesh);
+
 }  // namespace glint

@@ -176,6 +176,11 @@ class ParameterCheck {
         const std::optional<std::uint32_t> open = find_open_triangle(mesh);
         if (!open) {
             closed_meshes_.insert(&mesh);
+            if (!mesh.normals.empty() && is_inside_out(mesh)) {
+                mistakes.emplace_back(
+                    "expected the triangles of a mesh with normals to be counterclockwise seen from outside, "
+                    "found them clockwise");
+            }
             return;
         }
         mistakes.push_back(fmt::format(

@@ -46,6 +46,7 @@ namespace glint {
 void close_glint_solid(GlintText&, const Token&, GlintSolid&, const GlintItem&) { leave_out(); }
 bool encloses_space(const Scene&, const Shape&) { return false; }
 std::optional<std::uint32_t> find_open_triangle(const MeshData&) { return {}; }
+bool is_inside_out(const MeshData&) { return false; }
 std::string mistake_in_steps(const SolidTree&) { return {}; }
 SolidSteps::SolidSteps(const SolidTree& tree) : tree_(tree) {}
 std::vector<std::size_t> SolidSteps::parts(std::size_t) const { return {}; }

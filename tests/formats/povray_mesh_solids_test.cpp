@@ -39,6 +39,7 @@ TEST(PovRayMeshSolids, OthersAreRefusedByName) {
     expect_said("#declare T = texture { pigment { rgb x } }\n" +
                     cut("mesh { triangle { 0, x, y texture { T } } inside_vector y }"),
                 "`mesh` (with textures of its faces in a solid)");
+    expect_said(cut("mesh { triangle { 0, 0, 0 } inside_vector y }"), "`mesh` (that is open, in a solid)");
     expect_said("sphere { 0, 1 clipped_by { mesh { " + k_triangles + " } } }", "`clipped_by`");
 }
 
@@ -56,6 +57,15 @@ TEST(PovRayMeshSolids, CapsAndSidesOfPrismsMeet) {
         const Scene clipped = povray_scene("prism { " + spline + " clipped_by { sphere { 0, 1 } } }");
         EXPECT_EQ(clipped.solids.size(), 1u) << spline;
     }
+}
+
+// It is cut only if the camera sees what is cut off: it is placed whole, and cut in the end.
+TEST(PovRayMeshSolids, APrismWithoutShadowIsCut) {
+    const Scene scene = povray_scene(
+        "camera { location <0, 0, -5> look_at 0 }\nprism { linear_spline 0, 1, 6, <0, 0>, <2, 2>, <2, 0>, "
+        "<0, 2>, "
+        "<-1, 1>, <0, 0> rotate -70*x no_shadow clipped_by { box { -0.5, 0.5 } } }");
+    EXPECT_EQ(scene.solids.size(), 1u);
 }
 
 TEST(PovRayMeshSolids, InsideKnowsMeshes) {

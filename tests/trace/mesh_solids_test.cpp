@@ -125,6 +125,22 @@ TEST(MeshSolids, TransformsApplyOneAfterTheOther) {
     EXPECT_GT(hits->front().normal.z, 0.5);
 }
 
+// They would not be turned with the triangles.
+TEST(MeshSolids, AMeshWithNormalsIsWoundOutwards) {
+    for (const bool is_inside_out : {false, true}) {
+        Scene scene;
+        scene.shapes.push_back(octahedron(scene, {0, 0, 0}, 1, is_inside_out));
+        auto mesh = std::make_shared<MeshData>(*scene.meshes[0]);
+        for (const Vec3& corner : mesh->positions) mesh->normals.values.push_back(to_single(corner));
+        scene.meshes[0] = mesh;
+        combine_last(scene, SolidOperation::merge, 0);
+        const std::vector<Diagnostic> found = validate(scene);
+        ASSERT_EQ(found.size(), 1u);  // else that the scene has no lights
+        EXPECT_EQ(found[0].message.find("found them clockwise") != std::string::npos, is_inside_out)
+            << found[0].message;
+    }
+}
+
 TEST(MeshSolids, AnOpenMeshIsRefused) {
     for (const std::size_t left_out : {std::size_t{0}, std::size_t{1}}) {
         Scene scene;

@@ -13,8 +13,9 @@
 namespace glint::povray {
 namespace {
 
-constexpr std::size_t k_max_steps = 100'000'000;
-constexpr double k_on_edge = 2e-7;  // of the mesh's size: positions are in single precision
+constexpr std::size_t k_max_steps = 30'000'000;
+constexpr std::size_t k_most_pieces = 8;  // for each triangle, and for each vertex on an edge
+constexpr double k_on_edge = 2e-7;        // of the mesh's size: positions are in single precision
 
 class MeshCloser {
   public:
@@ -50,7 +51,8 @@ class MeshCloser {
                 if (is_open[3 * i + side] != 0)
                     points[side] = points_between(whole[i][side], whole[i][(side + 1) % 3]);
             }
-            if (steps_ > k_max_steps) return false;
+            const std::size_t most = k_most_pieces * (whole.size() + by_axis_[0].size());
+            if (steps_ > k_max_steps || mesh_.triangles.size() > most) return false;
             add(whole[i], {points[0], points[1], points[2]});
         }
         find_edges();
@@ -92,6 +94,7 @@ class MeshCloser {
         }
         for (std::size_t i = 0; i < count; ++i) {
             if (is_turned[i] == 0) continue;
+            has_turned_ = true;
             for (auto* const list :
                  {&mesh_.triangles, &mesh_.normal_corners, &mesh_.uv_corners, &mesh_.texture_corners})
                 if (i < list->size()) std::swap((*list)[i][1], (*list)[i][2]);
@@ -100,6 +103,7 @@ class MeshCloser {
         return true;
     }
 
+    bool has_turned() const { return has_turned_; }
     const ReadMesh& mesh() const { return mesh_; }
 
   private:
@@ -209,11 +213,13 @@ class MeshCloser {
     std::array<CountedVector<std::uint32_t>, 3> by_axis_;
     double tolerance_ = 0;
     std::size_t steps_ = 0;
+    bool has_turned_ = false;
 };
 
 // Of vertices that are there: it is asked for after errors, too.
 bool has_triangles(const ReadMesh& mesh) {
-    return !mesh.triangles.empty() && !mesh.far &&
+    constexpr std::size_t least = 4;  // of a tetrahedron
+    return mesh.triangles.size() >= least && !mesh.far &&
            std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const TriangleCorners& t) {
                return *std::max_element(t.begin(), t.end()) < mesh.vertices.size();
            });
@@ -239,9 +245,12 @@ std::shared_ptr<const ReadMesh> closed_mesh(const std::shared_ptr<const ReadMesh
         if (!has_triangles(*mesh)) return nullptr;
         MeshCloser closer(*mesh);
         closed.is_closed = closer.is_closed();
-        if (!closed.is_closed) closed.changed = outward_mesh(closer);
+        if (!closed.is_closed)
+            closed.changed = outward_mesh(closer);
+        else if (closer.turn() && closer.has_turned())
+            closed.changed = make_counted<ReadMesh>(closer.mesh());
     }
-    return closed.is_closed ? mesh : closed.changed;
+    return closed.is_closed && !closed.changed ? mesh : closed.changed;
 }
 
 }  // namespace glint::povray

@@ -52,7 +52,7 @@ struct ReadMesh {
     /// What closed_mesh() has found.
     struct Closed {
         bool is_known = false, is_closed = false;
-        std::shared_ptr<const ReadMesh> changed;  ///< if the mesh itself is not closed
+        std::shared_ptr<const ReadMesh> changed;  ///< if the mesh is not closed or not turned outwards
     };
     mutable Closed closed{};
     /// The first vertex beyond what glint renders, as the text has it, and its number.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "formats/povray/add_shape.h"
+#include "formats/povray/closed_mesh.h"
 #include "math/number.h"
 #include "math/quadric_bounds.h"
 #include "math/quartic_value.h"
@@ -172,7 +173,13 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
         return note_inside(object, own, first);
     }
     if (object.kind == ObjectKind::mesh) {
-        place_mesh(object, own);
+        if (may_be_unseen && encloses_space(object)) {  // it may be cut in the end
+            Object closed = object;
+            closed.mesh = closed_mesh(object.mesh);
+            place_mesh(closed, own);
+        } else {
+            place_mesh(object, own);
+        }
         note_inside(object, own, first);
     } else if (object.kind == ObjectKind::height_field) {
         place_field(object, own);

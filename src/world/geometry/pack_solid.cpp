@@ -67,7 +67,7 @@ PackedSolid pack_solid(const Primitives& primitives, const PrimitiveSolid& solid
         const std::uint32_t slot = slots[primitive.operand];
         packed.slots.push_back(slot);
         PackedOperand& operand = operands[slot - first];
-        operand.is_inverted = list.is_inverted(i) != primitives.is_inside_out(primitive);
+        operand.is_inverted = list.is_inverted(i) != primitives.is_turned_mesh(primitive);
         operand.has_material = tree.operands[i].material != k_none;
         if (!class_traits()[static_cast<std::size_t>(primitives.class_of(primitive))].bounded) continue;
         const Aabb box = primitives.box_of(primitive);

@@ -8,6 +8,7 @@
 #include "geometry/kinds-inl.h"
 #include "math/extent.h"
 #include "math/transform.h"
+#include "scene/closed_mesh.h"
 #include "world/geometry/packed_mesh.h"
 #include "world/geometry/triangulate.h"
 
@@ -271,19 +272,9 @@ Aabb Primitives::box_of(const Primitive& primitive) const {
     return padded_box(lo, hi);
 }
 
-// By its volume, of which each triangle spans a part with a corner of the box.
-bool Primitives::is_inside_out(const Primitive& primitive) const {
+bool Primitives::is_turned_mesh(const Primitive& primitive) const {
     const Shape& shape = shape_of(primitive);
-    if (shape.kind != ShapeKind::mesh) return false;
-    const PackedMesh& packed = mesh_of(shape);
-    const MeshData& mesh = *packed.data;
-    double volume = 0;
-    for (const TriangleCorners& corners : mesh.triangles) {
-        const Vec3 a = mesh.position(corners[0]) - packed.lo, b = mesh.position(corners[1]) - packed.lo,
-                   c = mesh.position(corners[2]) - packed.lo;
-        volume += dot(a, cross(b, c));
-    }
-    return volume < 0;
+    return shape.kind == ShapeKind::mesh && is_inside_out(*mesh_of(shape).data);
 }
 
 bool Primitives::is_open(const Primitive& primitive) const {

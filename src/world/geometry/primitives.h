@@ -75,7 +75,7 @@ class Primitives {
     /// The padded box; of a shape without ends, from -k_endless to k_endless.
     Aabb box_of(const Primitive& primitive) const;
     /// Whether the primitive is a closed mesh whose normals point inwards.
-    bool is_inside_out(const Primitive& primitive) const;
+    bool is_turned_mesh(const Primitive& primitive) const;
     /// Whether the primitive's shape encloses no space.
     bool is_open(const Primitive& primitive) const;
 
