@@ -8,6 +8,7 @@
 #include "base/sort_stably.h"
 #include "formats/povray/outward_faces.h"
 #include "math/number.h"
+#include "math/transform.h"
 #include "scene/closed_mesh.h"
 
 namespace glint::povray {
