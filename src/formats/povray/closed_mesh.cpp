@@ -248,7 +248,7 @@ std::shared_ptr<const ReadMesh> closed_mesh(const std::shared_ptr<const ReadMesh
         closed.is_closed = closer.is_closed();
         if (!closed.is_closed)
             closed.changed = outward_mesh(closer);
-        else if (closer.turn() && closer.has_turned())
+        else if (closer.turn() && closer.has_turned() && closer.is_closed())
             closed.changed = make_counted<ReadMesh>(closer.mesh());
     }
     return closed.is_closed && !closed.changed ? mesh : closed.changed;
