@@ -33,9 +33,17 @@ void floor_at(double z, double half) {
                 z, half, -half, z);
 }
 
-// The nine children of a sphere whose `up` points away from its parent: six around it, three above.
-void flake(Point center, double radius, Point up, int depth) {
-    std::printf("s %.6g %.6g %.6g %.6g\n", center.x, center.y, center.z, radius);
+// Rounded to a number of decimals; never -0.
+double rounded(double a, int decimals) {
+    const double scale = std::pow(10.0, decimals);
+    return std::round(a * scale) / scale + 0.0;
+}
+
+// The nine children of a sphere whose `up` points away from its parent: six around it, three above. The web page
+// carries the flake of depth 3, so its text is short: centers to thousandths, radii to ten thousandths.
+void flake(Point center, double radius, Point up, int depth, int decimals) {
+    std::printf("s %.6g %.6g %.6g %.6g\n", rounded(center.x, decimals), rounded(center.y, decimals),
+                rounded(center.z, decimals), rounded(radius, decimals + 1));
     if (depth == 0) return;
     const Point other = std::abs(up.z) < 0.9 ? Point{0, 0, 1} : Point{1, 0, 0};
     const Point right = unit(cross(other, up)), forward = cross(up, right);
@@ -51,7 +59,7 @@ void flake(Point center, double radius, Point up, int depth) {
                                  {h * low, -0.5 * low, low}};
     for (const Point& d : directions) {
         const Point out = right * d.x + forward * d.y + up * d.z;
-        flake(center + out * (radius * 4 / 3), radius / 3, out, depth - 1);
+        flake(center + out * (radius * 4 / 3), radius / 3, out, depth - 1, decimals);
     }
 }
 
@@ -62,7 +70,7 @@ void sphereflake(int depth) {
         "l 4 -3 5 0.9 0.85 0.75\nl -3 -4 3 0.2 0.3 0.5\nl 1 5 6 0.5 0.4 0.25\nf 0.55 0.6 0.5 0.8 0.1 20 0 1");
     floor_at(-0.7, 40);
     std::puts("f 1 0.7 0.3 0.7 0.45 30 0 1");
-    flake({0, 0, 0}, 0.5, {0, 0, 1}, depth);
+    flake({0, 0, 0}, 0.5, {0, 0, 1}, depth, depth > 3 ? 9 : 3);
 }
 
 void corner(Point a, Point b, Point c, Point d, int depth) {
