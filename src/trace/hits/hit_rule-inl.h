@@ -79,7 +79,7 @@ struct ShapeTests {
             if constexpr (!Geometry::k_has_formula)
                 parts_leaf<Geometry>(shapes, packet, packet.unfinished(), slot, 1);
             else
-                single_shape<Geometry>(shapes, packet, slot);
+                packet_leaf<Geometry>(shapes, packet, packet.unfinished(), slot, 1);
         });
     }
     /// Tests all shapes of an unbounded class with rays [0, count) of the chunk. These shapes have no bounds.
@@ -203,19 +203,6 @@ struct ShapeTests {
                 packet_shape<Geometry>(shapes, packet, active, boxes, filters, first + s,
                                        __builtin_ctz(bits));
         }
-    }
-
-    template <class Geometry>
-    HWY_NOINLINE void single_shape(const ShapeClass& shapes, const RayPacket& packet, std::uint32_t slot) {
-        SharedFilters<Geometry> filters;
-        if constexpr (Geometry::k_shares_filter) {
-            if (packet.common_origin && filters.prepare(shapes, packet, origin(packet), slot, 1) == 0) return;
-        }
-        if constexpr (Geometry::k_quick) {
-            if (quick_rays.parallel()) filters.prepare(shapes, quick_rays, slot, 1);
-        }
-        packet_shape<Geometry>(shapes, packet, packet.unfinished(),
-                               PrimitiveBounds<Geometry>(geometry, shapes, slot, 1), filters, slot, 0);
     }
 
     /// Tests the shape in slot first + lane with the packet's rays `active`.
