@@ -48,7 +48,7 @@ template <class Check> int for_each_hit(const std::string& shapes, const Check& 
             expect_added_up(*e, x, y);
             for (const ExplainedRay& ray : e->rays) {
                 if (!ray.hit || ray.hit->shape == 0) continue;
-                check(*ray.hit, std::abs(dot(ray.hit->normal, unit(ray.direction))));
+                check(*ray.hit, std::abs(dot(ray.hit->normal, ray.direction)) / length(ray.direction));
                 ++count;
             }
         }

@@ -135,28 +135,71 @@ inline std::size_t find_face(std::span<const SolidItem> items, const std::uint32
     return first;
 }
 
-/// The items without operands that no ray meets, where they do not matter. position: of an operand among
-/// those that are met, or k_none.
+/// What of a combination is met, while its items are reduced.
+struct ReducedCombination {
+    SolidOperation operation;
+    std::size_t begin;        // of its items
+    bool has_parts = false;   // before they were reduced
+    bool is_nothing = false;  // no ray is inside, or meets a surface: parts that are none decide this
+    bool has_any = false;     // a part that is not nothing
+
+    /// Adds a part. Returns whether it is of no effect.
+    bool add(bool part_is_nothing) {
+        const bool is_first = !has_parts;
+        has_parts = true;
+        if (!part_is_nothing) {
+            has_any = true;
+            return false;
+        }
+        switch (operation) {
+            case SolidOperation::merge:
+            case SolidOperation::unite:
+                return true;
+            case SolidOperation::difference:
+                is_nothing |= is_first;
+                return !is_first;
+            case SolidOperation::intersection:
+            case SolidOperation::clip:
+                is_nothing = true;
+                return false;
+            case SolidOperation::inverse:
+            case SolidOperation::operand:
+                break;
+        }
+        return false;
+    }
+    bool ends_as_nothing() const {
+        const bool is_sum = operation == SolidOperation::merge || operation == SolidOperation::unite;
+        return is_nothing || (is_sum && !has_any);
+    }
+};
+
+/// The items without operands that no ray meets, and without combinations of which nothing is met, where they
+/// do not matter. position: of an operand among those that are met, or k_none.
 inline std::vector<SolidItem> reduce_items(std::span<const SolidItem> items,
                                            std::span<const std::uint32_t> position) {
     std::vector<SolidItem> reduced;
-    std::vector<std::pair<SolidOperation, bool>> open;  // and whether it has parts
+    std::vector<ReducedCombination> open;
     for (SolidItem item : items) {
-        if (item.kind == SolidItem::Kind::end) {
-            open.pop_back();
-        } else {
-            const bool can_be_left_out =
-                !open.empty() &&
-                (open.back().first == SolidOperation::merge || open.back().first == SolidOperation::unite ||
-                 (open.back().first == SolidOperation::difference && open.back().second));
-            if (!open.empty()) open.back().second = true;
-            if (item.kind == SolidItem::Kind::begin) {
-                open.emplace_back(item.operation, false);
-            } else {
-                item.operand = position[item.operand];
-                if (item.operand == k_none && can_be_left_out) continue;
-            }
+        if (item.kind == SolidItem::Kind::begin) {
+            open.push_back({item.operation, reduced.size()});
+            reduced.push_back(item);
+            continue;
         }
+        bool is_nothing = false;
+        if (item.kind == SolidItem::Kind::end) {
+            const ReducedCombination whole = open.back();
+            open.pop_back();
+            is_nothing = whole.ends_as_nothing();
+            if (is_nothing) {
+                reduced.resize(whole.begin);
+                item = {SolidItem::Kind::operand, SolidOperation::operand, k_none};
+            }
+        } else {
+            item.operand = position[item.operand];
+            is_nothing = item.operand == k_none;
+        }
+        if (!open.empty() && open.back().add(is_nothing)) continue;
         reduced.push_back(item);
     }
     return reduced;

@@ -20,6 +20,7 @@
 #include "geometry/crossings-inl.h"
 #include "trace/hits/hit_rule-inl.h"
 #include "trace/hits/solid_states-inl.h"
+#include "trace/hits/solid_sweep.h"
 #include "world/geometry/mesh_crossings-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -114,7 +115,8 @@ class SolidLanes {
     }
 
     /// Accepts the hits of the rays `bits`, by entry and exit of the solid's box.
-    void test(std::uint32_t bits, Doubles entry, Doubles exit) noexcept {
+    void test(std::uint32_t bits, Doubles entry, Doubles exit) {
+        if (total_ > k_most_together) return test_one_by_one(bits, entry, exit);
         const Doubles t_min = load(tests_.rays.t_min + ray_number_);
         const Doubles size = max_abs(ray_.direction), error = max_abs(ray_.origin) * Doubles(k_event_error);
         Doubles last(-k_infinity);
@@ -142,6 +144,8 @@ class SolidLanes {
     static constexpr std::size_t k_few = 16;
     static constexpr int k_most = k_max_intervals;
     static constexpr int k_stride = 2 * lane_count<double>();
+    // Of more crossings, each ray is tested by itself. (Measured: the time is about the same from 0 to 96.)
+    static constexpr int k_most_together = 32;
 
     void find_all(const RayPacket& packet) {
         const PackedSolid& solid = parts_.solid();
@@ -173,6 +177,65 @@ class SolidLanes {
             found += of.count;
         }
         total_ = found;
+    }
+
+    HWY_NOINLINE void test_one_by_one(std::uint32_t bits, Doubles entry, Doubles exit) {
+        alignas(64) double entries[lane_count<double>()], exits[lane_count<double>()];
+        store(entry, entries);
+        store(exit, exits);
+        const SolidSweep outside(parts_.items(), parts_.size());
+        for (; bits != 0; bits &= bits - 1) {
+            const int lane = __builtin_ctz(bits);
+            sweep(lane, entries[lane], exits[lane], outside);
+        }
+    }
+
+    /// Accepts the hits of one ray.
+    void sweep(int lane, double entry, double exit, SolidSweep states) {
+        const HitResult& result = tests_.result;
+        const RaySpan& rays = tests_.rays;
+        const int ray = ray_number_ + lane;
+        const Vector3<double> origin{rays.ox[ray], rays.oy[ray], rays.oz[ray]},
+            direction{rays.dx[ray], rays.dy[ray], rays.dz[ray]};
+        const double t_min = rays.t_min[ray], size = max_abs(direction),
+                     error = max_abs(origin) * k_event_error;
+        const std::vector<SolidEvent> events = events_of(lane);
+        const auto end_of = [&](std::size_t from, double t) {
+            while (from < events.size() && events[from].t <= t) ++from;
+            return from;
+        };
+        std::size_t at = end_of(0, -k_infinity);
+        states.meet({events.data(), at});
+        while (at < events.size()) {
+            const double next = events[at].t;
+            const double reach = max_abs(origin + direction * next);
+            const std::size_t end = end_of(at, next + (reach * k_event_size + error) / size);
+            const double t = number::min(number::max(next, entry), exit);
+            if (end == at || !(t <= result.nearest.t[ray])) return;
+            const bool is_surface = states.meet({events.data() + at, end - at});
+            at = end;
+            if (!is_surface || !(next > t_min && t > t_min)) continue;
+            const std::size_t part =
+                find_face(parts_.items(), states.before(), states.after(), parts_.size(), 1);
+            if (accept_one(lane, part, t, next)) return;
+        }
+    }
+
+    /// Where a ray crosses parts, in order; no infinite t but the least.
+    std::vector<SolidEvent> events_of(int lane) const {
+        std::vector<SolidEvent> events;
+        const double* at = crossings_ + lane;
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            for (int k = 0; k < counts_[i]; ++k, at += k_stride) {
+                const double enter = at[0], exit = at[lane_count<double>()];
+                const int change = enter < exit ? 1 : 0;
+                const auto part = static_cast<std::uint32_t>(i);
+                if (enter < k_infinity) events.push_back({enter, part, change});
+                if (exit < k_infinity && exit > -k_infinity) events.push_back({exit, part, -change});
+            }
+        }
+        sort_events(events);
+        return events;
     }
 
     /// Writes the intervals of the rays `met` with a mesh to place `first`, with room for as many as `after`
@@ -257,16 +320,21 @@ class SolidLanes {
         store(next, from);
         std::uint32_t done = 0;
         for (; hit != 0; hit &= hit - 1) {
-            const int lane = __builtin_ctz(hit), ray = ray_number_ + lane;
+            const int lane = __builtin_ctz(hit);
             const std::size_t part = find_face(parts_.items(), before_, after_, parts_.size(), 1u << lane);
-            const HitResult& result = tests_.result;
-            result.accept(ray, t[lane], surface_of(part, lane, from[lane]));
-            // Of several operands, some may let light pass.
-            if (result.occluded != nullptr && result.occluded[ray] == 0) continue;
-            done |= 1u << lane;
-            if (result.occluded != nullptr) *result.occluder = slot_;  // operands occlude only together
+            if (accept_one(lane, part, t[lane], from[lane])) done |= 1u << lane;
         }
         return done;
+    }
+    /// Returns whether the ray needs no further crossings.
+    bool accept_one(int lane, std::size_t part, double t, double next) const {
+        const HitResult& result = tests_.result;
+        const int ray = ray_number_ + lane;
+        result.accept(ray, t, surface_of(part, lane, next));
+        // Of several operands, some may let light pass.
+        if (result.occluded != nullptr && result.occluded[ray] == 0) return false;
+        if (result.occluded != nullptr) *result.occluder = slot_;  // operands occlude only together
+        return true;
     }
 
     struct MeshFace {
