@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes, prisms and what else is a mesh, as parts of solids.
+// Meshes, prisms and lathes as parts of solids.
+#include <algorithm>
+
 #include "formats/povray_text.h"
 
 namespace glint::test {
@@ -66,6 +68,33 @@ TEST(PovRayMeshSolids, APrismWithoutShadowIsCut) {
         "<0, 2>, "
         "<-1, 1>, <0, 0> rotate -70*x no_shadow clipped_by { box { -0.5, 0.5 } } }");
     EXPECT_EQ(scene.solids.size(), 1u);
+}
+
+// Turned around the y axis, what two edges have between them is a cone, or a cone less another one.
+TEST(PovRayMeshSolids, ALatheIsTheMergeOfWhatIsBetweenItsEdges) {
+    const auto operands = [](const std::string& lathe) {
+        const Scene scene = povray_scene(cut("lathe { " + lathe + " }"));
+        return scene.solids.empty() ? std::size_t{0} : scene.solids[0].operands.size();
+    };
+    EXPECT_EQ(operands("linear_spline 4, <0, 0>, <1, 0>, <1, 2>, <0, 2>"), 2u) << "a cylinder";
+    EXPECT_EQ(operands("linear_spline 5, <1, 0>, <2, 0>, <2, 1>, <1, 1>, <1, 0>"), 3u) << "a ring";
+    EXPECT_EQ(operands("linear_spline 5, <0, 0>, <2, 1>, <1, 1>, <1, 2>, <0, 2>"), 3u);
+    EXPECT_GT(operands("cubic_spline 6, <1, -1>, <0, 0>, <1, 1>, <1, 2>, <0, 3>, <1, 4>"), 10u);
+    for (const char* const open :
+         {"linear_spline 3, <1, 0>, <2, 1>, <1, 2>", "linear_spline 3, <0, 0>, <2, 1>, <1, 2>",
+          "bezier_spline 8, <0, 0>, <1, 0>, <1, 0>, <1, 1>, <1, 2>, <1, 3>, <0, 3>, <0, 3>"}) {
+        const std::string said = said_of(cut("lathe { " + std::string(open) + " }"));
+        EXPECT_NE(said.find("`lathe` (that is open, in a solid)"), std::string::npos) << said;
+    }
+    const Scene turned = povray_scene(
+        "intersection { box { -3, 3 } lathe { linear_spline 4, <0, 0>, <1, 0>, <1, 2>, <0, 2> inverse } }");
+    ASSERT_EQ(turned.solids.size(), 1u);
+    const auto& steps = turned.solids[0].steps;
+    EXPECT_TRUE(std::any_of(steps.begin(), steps.end(),
+                            [](const SolidStep& step) { return step.operation == SolidOperation::inverse; }));
+    const Scene clipped = povray_scene(
+        "lathe { linear_spline 4, <0, 0>, <1, 0>, <1, 2>, <0, 2> clipped_by { sphere { 0, 1 } } }");
+    EXPECT_EQ(clipped.solids.size(), 1u);
 }
 
 TEST(PovRayMeshSolids, InsideKnowsMeshes) {

@@ -214,7 +214,7 @@ TEST(PovRaySweeps, OtherSplinesAndPartsOfSolidsAreRefusedByName) {
         {"difference { box { -1, 1 } prism { 0, 1, 5, " + k_prism_square + " open } }",
          "2:28: error: glint does not render `prism` (that is open, in a solid)"},
         {"intersection { box { -1, 1 } lathe { 2, <1, 0>, <1, 1> } }",
-         "2:30: error: glint does not render `lathe` (in a solid)"},
+         "2:30: error: glint does not render `lathe` (that is open, in a solid)"},
         {"lathe { 2, <-1, 0>, <1, 1> }", "2:1: error: glint does not render `lathe` (with a radius below 0)"},
         {"sphere_sweep { linear_spline 2, 0, -1, x, 1 }",
          "2:1: error: glint does not render `sphere_sweep` (with a radius below 0)"}};

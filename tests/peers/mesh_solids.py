@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Closed meshes, prisms and texts as parts of solids, and what they clip."""
+"""Closed meshes, prisms, texts and lathes as parts of solids, and what they clip."""
 from solids import BLUE, BOX, CLEAR, GLASS, MIRROR, RED, SHINE, TURN, cut, solids
 
 # Of any winding: POV-Ray turns normals to the ray.
@@ -38,5 +38,13 @@ RULES = [
     solids("prism_is_cut", f"intersection {{ prism {{ cubic_spline 0, 1.6, {CURVE} {RED} }} plane {{ <-1, 1, -0.5>, 0.9 {BLUE} }} {TURN} }}\n"),
     solids("prism_cone", f"difference {{ prism {{ conic_sweep linear_spline 0, 1.6, 6, <-0.8, -0.8>, <0.8, -0.8>, <0.9, 0.5>, <0, 0.2>, <-0.8, 0.8>, <-0.8, -0.8> {RED} }}\n"
            f"sphere {{ <0, 1.6, -0.9>, 0.7 {BLUE} }} rotate -15*x translate 0.2*y }}\n"),
+    solids("lathe_is_cut", f"difference {{ lathe {{ linear_spline 6, <0, 0>, <0.9, 0>, <0.4, 0.8>, <0.8, 1.1>, <0.5, 1.7>, <0, 1.7> {RED} }} box {{ <0, -1, -2>, <2, 2, 2> {BLUE} }} {TURN} }}\n"),
+    solids("lathe_ring", f"intersection {{ lathe {{ linear_spline 5, <0.5, 0.1>, <1, 0.4>, <0.8, 1.4>, <0.6, 1.2>, <0.5, 0.1> {RED} }} plane {{ <0.3, 0, 1>, 0.1 {BLUE} }} {TURN} }}\n"),
+    solids("lathe_cuts", cut(f"lathe {{ cubic_spline 8, <-1, -0.3>, <0, -0.2>, <0.7, 0.2>, <0.3, 0.8>, <0.7, 1.3>, <0.3, 1.7>, <0, 1.8>, <-1, 1.9> {BLUE} rotate 30*x }}", TURN)),
+    solids("lathe_bezier", f"difference {{ lathe {{ bezier_spline 8, <0, 0>, <1.2, 0>, <1.2, 0.9>, <0.6, 1.1>, <0.6, 1.1>, <0.2, 1.3>, <0.6, 1.8>, <0, 1.8> {RED} }}\n"
+           f"cylinder {{ <0, 0.5, -2>, <0, 0.5, 2>, 0.3 {BLUE} }} {TURN} }}\n"),
+    solids("lathe_inverse", f"intersection {{ box {{ <-0.9, 0, -0.9>, <0.9, 1.6, 0.9> {BLUE} }} lathe {{ cubic_spline 8, <-1, -0.3>, <0, -0.2>, <0.7, 0.2>, <0.3, 0.8>, <0.7, 1.3>, <0.3, 1.7>, <0, 1.8>, <-1, 1.9> {RED} translate -0.8*z inverse }} {TURN} }}\n"),
+    solids("lathe_clipped", f"lathe {{ linear_spline 4, <0, 0>, <0.9, 0.3>, <0.6, 1.6>, <0, 1.6> {RED} clipped_by {{ sphere {{ <0.3, 0.7, -0.6>, 0.9 }} }} {TURN} }}\n"),
+    solids("lathe_merge", f"merge {{ lathe {{ linear_spline 6, <0, 0>, <1, 0.2>, <0.4, 0.9>, <0.9, 1.4>, <0.6, 1.7>, <0, 1.75> }} sphere {{ <0.7, 1, -0.4>, 0.6 }} {CLEAR} }}\n"),
     solids("text_cuts", f"difference {{ {BOX} {RED} scale <1.4, 1, 1> }} text {{ ttf \"timrom.ttf\" \"R&8o\" 1, 0 scale <0.9, 1.2, 1> translate <-1.1, 0.3, -1.5> {BLUE} }} rotate 15*y }}\n"),
 ]

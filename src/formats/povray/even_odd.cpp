@@ -66,18 +66,14 @@ bool add_crossings(const CountedVector<RisingEdge>& edges, const std::function<b
     return true;
 }
 
-void add_trapezoid(const RisingEdge& left, const RisingEdge& right, double from, double to,
-                   CountedVector<FlatTriangle>& triangles) {
-    const FlatPoint a{left.x_at(from), from}, b{right.x_at(from), from};
-    const FlatPoint c{right.x_at(to), to}, d{left.x_at(to), to};
-    if (a.x < b.x) triangles.push_back({a, b, c});
-    if (d.x < c.x) triangles.push_back({a, c, d});
+FlatTrapezoid trapezoid_of(const RisingEdge& left, const RisingEdge& right, double from, double to) {
+    return {{left.x_at(from), from}, {right.x_at(from), from}, {left.x_at(to), to}, {right.x_at(to), to}};
 }
 
 }  // namespace
 
 bool fill_even_odd(const CountedVector<FlatLoop>& loops, const std::function<bool(std::uint64_t)>& spend,
-                   CountedVector<FlatTriangle>& triangles) {
+                   CountedVector<FlatTrapezoid>& trapezoids) {
     const CountedVector<RisingEdge> edges = edges_of(loops);
     CountedVector<double> cuts;
     cuts.reserve(2 * edges.size());
@@ -114,14 +110,25 @@ bool fill_even_odd(const CountedVector<FlatLoop>& loops, const std::function<boo
                 continue;
             }
             if (trapezoid.is_open)
-                add_trapezoid(edges[active[i]], edges[trapezoid.right], trapezoid.from, trapezoid.to,
-                              triangles);
+                trapezoids.push_back(
+                    trapezoid_of(edges[active[i]], edges[trapezoid.right], trapezoid.from, trapezoid.to));
             trapezoid = {active[i + 1], from, to, true};
         }
     }
     for (std::size_t i = 0; i < open.size(); ++i) {
         if (open[i].is_open)
-            add_trapezoid(edges[i], edges[open[i].right], open[i].from, open[i].to, triangles);
+            trapezoids.push_back(trapezoid_of(edges[i], edges[open[i].right], open[i].from, open[i].to));
+    }
+    return true;
+}
+
+bool fill_even_odd(const CountedVector<FlatLoop>& loops, const std::function<bool(std::uint64_t)>& spend,
+                   CountedVector<FlatTriangle>& triangles) {
+    CountedVector<FlatTrapezoid> trapezoids;
+    if (!fill_even_odd(loops, spend, trapezoids)) return false;
+    for (const auto& [a, b, d, c] : trapezoids) {
+        if (a.x < b.x) triangles.push_back({a, b, c});
+        if (d.x < c.x) triangles.push_back({a, c, d});
     }
     return true;
 }

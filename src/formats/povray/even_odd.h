@@ -37,8 +37,16 @@ void for_each_loop(const Points& points, Same&& is_same, Use&& use) {
     if (first < points.size()) use(first, points.size());
 }
 
+/// What is between two edges, from one y to another one.
+struct FlatTrapezoid {
+    FlatPoint low_left, low_right, high_left, high_right;
+};
+
 /// Fills the loops, which may cross themselves and each other. spend: counts steps, and returns false to
 /// stop. False if it did, or if the edges cross more than 100000 times.
+bool fill_even_odd(const CountedVector<FlatLoop>& loops, const std::function<bool(std::uint64_t)>& spend,
+                   CountedVector<FlatTrapezoid>& trapezoids);
+/// The same, with triangles.
 bool fill_even_odd(const CountedVector<FlatLoop>& loops, const std::function<bool(std::uint64_t)>& spend,
                    CountedVector<FlatTriangle>& triangles);
 

@@ -90,6 +90,7 @@ struct ReadMesh {
 };
 
 struct HeightField;  // field_mesh.h
+struct LatheLines;   // solid_lathe.h
 
 struct LightSource {
     Light light;  ///< position, color and kind; the direction of spots and parallel lights is point_at -
@@ -145,6 +146,7 @@ struct Object {
     std::shared_ptr<const ReadMesh> mesh;
     std::shared_ptr<const CountedVector<Vec3>> outline;  ///< of a polygon
     std::shared_ptr<const HeightField> field;
+    std::shared_ptr<const LatheLines> lathe;
     std::shared_ptr<const LightSource> light;
     std::shared_ptr<const Clip> clip;
     CountedVector<ClipObject> clips;  ///< all that cut

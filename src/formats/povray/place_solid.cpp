@@ -11,6 +11,7 @@
 #include "formats/povray/object_parser.h"
 #include "formats/povray/reach.h"
 #include "formats/povray/scene_builder.h"
+#include "formats/povray/solid_lathe.h"
 #include "math/transform.h"
 #include "scene/validate_solid.h"
 
@@ -38,7 +39,9 @@ std::string_view reason_against(const Object& object) {
             if (!object.mesh->textures.empty()) return "with textures of its faces in a solid";
             return closed_mesh(object.mesh) ? std::string_view() : "that is open, in a solid";
         default:
-            return {};
+            if (!object.lathe || solid_lathe(object)) return {};
+            return is_closed_lathe(*object.lathe) ? "with so many points, in a solid"
+                                                  : "that is open, in a solid";
     }
 }
 
@@ -106,7 +109,7 @@ void add_operand_errors(const Object& object, MissingList& missing, std::string_
         open.is_error = true;
         missing.add(open);
     }
-    if (!has_parts(object)) return;
+    if (!has_parts(object) || object.lathe) return;
     for (const ObjectPart& part : *object.parts) add_operand_errors(*part, missing, stands_for);
 }
 
@@ -212,6 +215,11 @@ void SceneBuilder::note_solid(std::size_t index, const Inherited& own) {
 }
 
 void SceneBuilder::place_parts(const Object& object, const Inherited& own) {
+    if (object.lathe && (own.in_solid || own.clips)) {
+        Object whole = *solid_lathe(object);
+        whole.is_inverse = object.is_inverse;
+        return place_parts(whole, own);
+    }
     const bool is_solid = object.kind == ObjectKind::solid;
     if (is_solid && std::any_of(object.missing.begin(), object.missing.end(),
                                 [](const Missing& missing) { return missing.is_error; }))

@@ -10,6 +10,7 @@
 #include "formats/povray/closed_mesh.h"
 #include "formats/povray/outward_faces.h"
 #include "formats/povray/scene_builder.h"
+#include "formats/povray/solid_lathe.h"
 #include "formats/povray/value_parser.h"
 #include "glint/world.h"
 #include "math/quartic_value.h"
@@ -79,11 +80,12 @@ bool is_inside(const Object& o, Vec3 p) {
             break;
         default: {
             bool all = true, any = false;
-            for (std::size_t i = 0; i < o.parts->size(); ++i) {
+            const auto& parts = o.lathe ? *solid_lathe(o)->parts : *o.parts;
+            for (std::size_t i = 0; i < parts.size(); ++i) {
                 // Of a difference, the inside of all but the first counts as outside.
                 const bool is_cut =
                     o.kind == ObjectKind::solid && i > 0 && o.operation != SolidOperation::intersection;
-                const bool is_in_part = is_inside(*(*o.parts)[i], p) != is_cut;
+                const bool is_in_part = is_inside(*parts[i], p) != is_cut;
                 all = all && is_in_part;
                 any = any || is_in_part;
             }

@@ -5,6 +5,7 @@
 // sphere's center, and the circle's radius r cos a, where sin a = (r0 - r1) / d, and d the distance of the
 // spheres. If it is not below 1, one sphere holds the other one.
 #include "formats/povray/object_parser.h"
+#include "formats/povray/solid_lathe.h"
 #include "math/number.h"
 #include "math/transform.h"
 
@@ -111,6 +112,7 @@ Object ObjectParser::read_lathe(const Token& word) {
     read_flat_points(2, spline, given);
     if (failed()) return object;
     PartList parts(word);
+    auto lines = make_counted<LatheLines>();
     bool is_below = false;
     // Curves of a bezier spline need not meet.
     const std::size_t step = spline == Spline::bezier ? 4 : given.size();
@@ -121,7 +123,9 @@ Object ObjectParser::read_lathe(const Token& word) {
         for (std::size_t i = 0; i + 1 < points.size() && !failed(); ++i)
             add_turned_segment(points[i], points[i + 1], parts);
         for (const FlatPoint& p : points) is_below |= p.x < -k_rounded;
+        add_lathe_line(points, *lines);
     }
+    object.lathe = std::move(lines);
     parts.move_to(object);
     // POV-Ray draws parts of it (measured).
     if (is_below) object.missing.add({"lathe", "with a radius below 0", call_place(word), true});
