@@ -13,6 +13,9 @@
 
 namespace glint {
 
+/// The number after TexFunc.
+enum class TachyonFunction : std::uint8_t { none, checker, grit, marble, wood };
+
 /// The body of a texture. The defaults are Tachyon's for a name that is not defined.
 struct TachyonTexture {
     double ambient = 0.1, diffuse = 0.9, specular = 0, opacity = 1;
@@ -20,10 +23,12 @@ struct TachyonTexture {
     double phong = 0, phong_size = 100;
     bool is_metal = false;         ///< the highlight has the surface's color
     bool fades_at_angles = false;  ///< TransMode R3D
-    Color color{1, 1, 1};
+    Color color{1, 1, 1};          ///< white if the function has colors of its own
+    TachyonFunction function = TachyonFunction::none;
+    Vec3 center;  ///< of the checker and the wood
 
     /// All fields, as a key.
-    std::array<double, 13> numbers() const {
+    std::array<double, 17> numbers() const {
         return {ambient,
                 diffuse,
                 specular,
@@ -36,7 +41,11 @@ struct TachyonTexture {
                 fades_at_angles ? 1. : 0.,
                 color.r,
                 color.g,
-                color.b};
+                color.b,
+                static_cast<double>(function),
+                center.x,
+                center.y,
+                center.z};
     }
 };
 
@@ -54,14 +63,22 @@ struct TachyonCamera {
 enum class TachyonShader : std::uint8_t { full, medium, low, lowest };
 
 /// Rules of Tachyon's that glint has only a part of, or none; in the order of k_limit_texts.
-enum class TachyonLimit : std::uint8_t { fogged_light, endless_cylinder, box_normals, normal_lengths, count };
+enum class TachyonLimit : std::uint8_t {
+    fogged_light,
+    endless_cylinder,
+    box_normals,
+    normal_lengths,
+    grain,
+    rings,
+    count
+};
 
 /// Shared by the texts of one load().
 struct TachyonState {
     // A texture is an index into Scene::materials, which finish_tachyon() fills from `textures`.
     // No choice of names or numbers makes the tables slow.
     CountedMap<std::string, std::uint32_t> names;
-    NumberTable<13> materials;                                         ///< by TachyonTexture::numbers()
+    NumberTable<17> materials;                                         ///< by TachyonTexture::numbers()
     CountedVector<std::pair<std::uint32_t, TachyonTexture>> textures;  ///< by material
 
     std::optional<TachyonCamera> camera;
@@ -83,5 +100,8 @@ struct TachyonState {
 
     std::optional<Place>& limit(TachyonLimit which) { return limits[static_cast<std::size_t>(which)]; }
 };
+
+/// The texture that a function other than none stands for. tint: of grit. The place is not set.
+Texture tachyon_pattern(TachyonFunction function, Vec3 center, Color tint, TextureMix mix);
 
 }  // namespace glint

@@ -22,17 +22,30 @@ constexpr std::string_view k_limit_texts[] = {
     "near the edges of a box that is no cube Tachyon takes the normal of a neighbouring face; glint does not",
     ("the normals of this triangle have different lengths: glint interpolates unit normals, Tachyon the "
      "normals as they are"),
+    ("glint has its own noise for grit and marble (`TexFunc` 2 and 3), with another grain: the picture will "
+     "differ"),
+    "the rings of wood (`TexFunc` 4) are round here; in Tachyon they have waves of 3 units",
 };
 static_assert(std::size(k_limit_texts) == static_cast<std::size_t>(TachyonLimit::count));
+
+// Whether a pattern changes the color of the highlight. Factors of the color above 1 are none that it
+// replaces.
+bool tints_highlight(const TachyonTexture& t, double metal) {
+    return t.is_metal && k_fraction.contains(t.phong * metal) && k_fraction.contains(t.ambient) &&
+           k_fraction.contains(t.diffuse);
+}
 
 // metal: the factor of the highlights of metal, which do not depend on the light's color.
 Material material_of(const TachyonTexture& t, const TachyonState& state, double metal) {
     const double highlight = t.phong > k_min_contribution ? t.phong : 0;
+    // A pattern replaces this color.
+    const Color color =
+        t.function != TachyonFunction::none && tints_highlight(t, metal) ? Color{1, 1, 1} : t.color;
     Material m;
-    m.color = state.shader == TachyonShader::lowest ? Color{1, 1, 1} : t.color;
-    m.ambient = t.color * t.ambient;
-    m.diffuse = t.color * t.diffuse;
-    m.specular = t.is_metal ? t.color * (highlight * metal) : Color{highlight, highlight, highlight};
+    m.color = state.shader == TachyonShader::lowest ? Color{1, 1, 1} : color;
+    m.ambient = color * t.ambient;
+    m.diffuse = color * t.diffuse;
+    m.specular = t.is_metal ? color * (highlight * metal) : Color{highlight, highlight, highlight};
     m.tinted_highlight = !t.is_metal;
     m.shininess = t.phong_size;
     m.mirror = t.specular > k_min_contribution ? t.specular : 0;
@@ -41,6 +54,32 @@ Material material_of(const TachyonTexture& t, const TachyonState& state, double 
     m.transmit = t.opacity < 1 - k_min_contribution ? 1 - t.opacity : 0;
     m.angled_opacity = m.transmit > 0 && (t.fades_at_angles || state.is_raster3d);
     return m;
+}
+
+// The textures of the materials' patterns.
+void add_patterns(Scene& scene, const TachyonState& state, double metal) {
+    NumberTable<8> numbers;
+    for (const auto& [material, texture] : state.textures) {
+        if (texture.function == TachyonFunction::none) continue;
+        const bool is_tinting = tints_highlight(texture, metal);
+        const Color tint = is_tinting ? texture.color : Color{1, 1, 1};
+        const NumberTable<8>::Key key{static_cast<double>(texture.function),
+                                      texture.center.x,
+                                      texture.center.y,
+                                      texture.center.z,
+                                      is_tinting ? 1. : 0.,
+                                      tint.r,
+                                      tint.g,
+                                      tint.b};
+        const std::uint32_t* const known = numbers.find(key);
+        const auto number = known ? *known : static_cast<std::uint32_t>(scene.textures.size());
+        scene.materials[material].texture = number;
+        if (known) continue;
+        numbers.add(key, number);
+        note(scene.texture_texts, number, scene.material_texts.place(material));
+        scene.textures.push_back(tachyon_pattern(texture.function, texture.center, tint,
+                                                 is_tinting ? TextureMix::replace : TextureMix::multiply));
+    }
 }
 
 void set_camera(LoadState& reading, const TachyonCamera& given) {
@@ -86,8 +125,10 @@ void finish_tachyon(LoadState& reading) {
     TachyonState& state = *reading.tachyon;
     Scene& scene = reading.scene;
     const bool has_occlusion = state.occlusion && state.shader == TachyonShader::full;
+    const double metal = has_occlusion ? 1 : state.light_scale;
     for (const auto& [material, texture] : state.textures)
-        scene.materials[material] = material_of(texture, state, has_occlusion ? 1 : state.light_scale);
+        scene.materials[material] = material_of(texture, state, metal);
+    if (state.shader != TachyonShader::lowest) add_patterns(scene, state, metal);
     if (has_occlusion) {
         scene.occlusion = *state.occlusion;
         scene.occlusion->direct = state.light_scale;
@@ -129,6 +170,8 @@ void finish_tachyon(LoadState& reading) {
     };
     drop(TachyonLimit::box_normals, is_shaded);
     drop(TachyonLimit::normal_lengths, is_shaded);
+    drop(TachyonLimit::grain, state.shader != TachyonShader::lowest);
+    drop(TachyonLimit::rings, state.shader != TachyonShader::lowest);
     drop(TachyonLimit::fogged_light, scene.fog.has_value());
     for (std::size_t i = 0; i < state.limits.size(); ++i) {
         const auto& at = state.limits[i];

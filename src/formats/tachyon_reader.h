@@ -76,7 +76,7 @@ class TachyonReader {
     bool texture(std::uint32_t& material);
     bool skip_texture();
     bool texture_body(TachyonTexture& texture, bool has_vertex_colors);
-    bool texture_function(const Token& word, double function);
+    bool texture_function(TachyonTexture& texture, const Token& word, double function);
     std::uint32_t material_of(const TachyonTexture& texture, const Token& place);
     std::uint32_t add_material(const TachyonTexture& texture, const Token& place);
     bool read_definition();
@@ -134,6 +134,7 @@ class TachyonReader {
     TachyonScanner scanner_;
     const bool is_further_;              // included, or after another text: needs no header
     Token object_;                       // the first word of the object
+    Token function_;                     // the number after the last `TexFunc` that is drawn
     bool is_left_out_ = false;           // the object
     TachyonScanner::Passage last_body_;  // of the last texture, and its material
     std::uint32_t last_material_ = k_none;

@@ -11,12 +11,9 @@ namespace glint {
 namespace {
 
 constexpr Range k_function{0, 10, false, false, "a whole number from 0 to 10"};
-constexpr std::string_view k_functions[] = {"",
-                                            "the checker",
-                                            "the grit",
-                                            "the marble",
-                                            "the wood",
-                                            "the noise",
+// From the first one on that is not drawn.
+constexpr double k_first_refused = 5;
+constexpr std::string_view k_functions[] = {"the noise",
                                             "the checker on a cylinder",
                                             "an image on a cylinder",
                                             "an image on a sphere",
@@ -71,7 +68,7 @@ bool TachyonReader::skip_texture() {
 }
 
 std::uint32_t TachyonReader::material_of(const TachyonTexture& texture, const Token& place) {
-    const NumberTable<13>::Key key = texture.numbers();
+    const NumberTable<17>::Key key = texture.numbers();
     if (const std::uint32_t* const known = state_.materials.find(key)) return *known;
     const std::uint32_t material = add_material(texture, place);
     state_.materials.add(key, material);
@@ -83,6 +80,9 @@ std::uint32_t TachyonReader::add_material(const TachyonTexture& texture, const T
     note(scene_.material_texts, material, source_place(text_, place));
     scene_.materials.emplace_back();
     state_.textures.emplace_back(material, texture);
+    if (texture.function == TachyonFunction::grit || texture.function == TachyonFunction::marble)
+        note_limit(TachyonLimit::grain, function_);
+    if (texture.function == TachyonFunction::wood) note_limit(TachyonLimit::rings, function_);
     return material;
 }
 
@@ -112,11 +112,11 @@ bool TachyonReader::texture_body(TachyonTexture& t, bool has_vertex_colors) {
     if (!color("COLOR", "Color", t.color) || !expect("TEXFUNC", "TexFunc")) return false;
     const Token at = scanner_.token();
     double function = 0;
-    return whole_number(function, k_function) && (function == 0 || texture_function(at, function));
+    return whole_number(function, k_function) && (function == 0 || texture_function(t, at, function));
 }
 
 // The arguments are read, so that mistakes in them are reported, too.
-bool TachyonReader::texture_function(const Token& at, double function) {
+bool TachyonReader::texture_function(TachyonTexture& t, const Token& at, double function) {
     const bool has_image = function >= 7;
     std::string image;
     if (has_image) {
@@ -124,10 +124,17 @@ bool TachyonReader::texture_function(const Token& at, double function) {
         image = " " + quoted(scanner_.word());
         scanner_.take();
     }
-    Vec3 ignored;
-    if (!point("CENTER", "Center", ignored) || !point("ROTATE", "Rotate", ignored) ||
+    Vec3 center, ignored;
+    if (!point("CENTER", "Center", center) || !point("ROTATE", "Rotate", ignored) ||
         !point("SCALE", "Scale", ignored)) {
         return false;
+    }
+    if (function < k_first_refused) {
+        function_ = at;
+        t.function = static_cast<TachyonFunction>(static_cast<int>(function));
+        if (t.function != TachyonFunction::grit) t.color = {1, 1, 1};
+        if (t.function == TachyonFunction::checker || t.function == TachyonFunction::wood) t.center = center;
+        return true;
     }
     if (function >= 9 && (!point("UAXIS", "Uaxis", ignored) || !point("VAXIS", "Vaxis", ignored)))
         return false;
@@ -135,7 +142,8 @@ bool TachyonReader::texture_function(const Token& at, double function) {
     const std::string once = fmt::format("tachyon function {}{}", function, image);
     if (!is_left_out_ && refused_.insert(once).second) {
         draw_without(at, fmt::format("{}{} as a texture (`TexFunc {}`)",
-                                     k_functions[static_cast<std::size_t>(function)], image, function));
+                                     k_functions[static_cast<std::size_t>(function - k_first_refused)], image,
+                                     function));
     }
     return true;
 }

@@ -165,7 +165,11 @@ bool TachyonReader::add_facets() {
     if (facets_.empty()) return true;
     const bool has_colors = !colors_.empty();
     TachyonTexture texture = vertex_texture_;
-    if (has_colors) texture.color = k_color_of_vertices;
+    if (has_colors) {
+        texture.color = k_color_of_vertices;
+        texture.function = TachyonFunction::none;  // has no effect in Tachyon
+        texture.center = {};
+    }
     const std::uint32_t material = material_of(texture, object_);
     for (const TriangleCorners& f : facets_) note_normals({normals_[f[0]], normals_[f[1]], normals_[f[2]]});
     constexpr std::uint64_t k_vertex_bytes = sizeof(Vec3) + 2 * sizeof(Float3);

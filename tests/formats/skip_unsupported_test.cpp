@@ -104,7 +104,7 @@ TEST(SkipUnsupported, KeepsOtherErrors) {
 TEST(SkipUnsupported, LeavesOutTachyonsObjects) {
     const std::string text =
         "Begin_Scene Resolution 4 4\n"
-        "TexDef a Ambient 0 Diffuse 1 Specular 0 Opacity 1 Color 1 0 0 TexFunc 1 Center 0 0 0 Rotate 0 0 0 "
+        "TexDef a Ambient 0 Diffuse 1 Specular 0 Opacity 1 Color 1 0 0 TexFunc 6 Center 0 0 0 Rotate 0 0 0 "
         "Scale 1 1 1\n"
         "Scape Res 3 3 Scale 1 1 Center 0 0 0 a\n"
         "Sphere Center 0 0 0 Rad 1 a\n"
@@ -122,8 +122,9 @@ TEST(SkipUnsupported, LeavesOutTachyonsObjects) {
          {"3:1: warning: left out 2 objects that glint does not render: a random landscape (`Scape`) of "
           "Tachyon",
           "5:1: warning: left out 1 object that glint does not render: volumes (`ScalarVol`) of Tachyon",
-          "warning: glint does not render the checker as a texture (`TexFunc 1`): the objects are drawn "
-          "without",
+          "warning: glint does not render the checker on a cylinder as a texture (`TexFunc 6`): the objects "
+          "are "
+          "drawn without",
           "warning: glint does not render clipping planes (`Start_ClipGroup`): the objects are drawn "
           "without them"})
         EXPECT_NE(said.find(part), std::string::npos) << part << "\n" << said;
@@ -146,7 +147,7 @@ TEST(SkipUnsupported, LeavesOutTachyonsObjectsWithAnyNames) {
     }
     const std::string checker =
         "Scape Res 3 3 Scale 1 1 Center 0 0 0 Texture Ambient 0 Diffuse 1 Specular 0 Opacity 1 Color 1 0 0 "
-        "TexFunc 1 Center 0 0 0 Rotate 0 0 0 Scale 1 1 1";
+        "TexFunc 6 Center 0 0 0 Rotate 0 0 0 Scale 1 1 1";
     EXPECT_EQ(messages(load_rest(begin + checker + end, "tachyon")).find("checker"), std::string::npos);
     EXPECT_FALSE(load_rest(begin + "Scape Res 3 Scale 1 1 Center 0 0 0 a" + end, "tachyon"));
     EXPECT_FALSE(load_rest(begin + "Start_ClipGroup NumPlanes 2 1 0 0 0" + end, "tachyon"));

@@ -502,10 +502,14 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Refused, TachyonMistakes,
     testing::Values(
-        BadText{"checker",
-                DAT_SCENE DAT_BODY "$1 " DAT_CRS DAT_SPHERE,
-                {"glint does not render the checker as a texture (`TexFunc 1`); the option skip-unsupported "
+        BadText{"noise",
+                DAT_SCENE DAT_BODY "$5 " DAT_CRS DAT_SPHERE,
+                {"glint does not render the noise as a texture (`TexFunc 5`); the option skip-unsupported "
                  "draws the objects without it"}},
+        BadText{"round_checker",
+                DAT_SCENE DAT_BODY "$6 " DAT_CRS DAT_SPHERE,
+                {"glint does not render the checker on a cylinder as a texture (`TexFunc 6`); the option "
+                 "skip-unsupported draws the objects without it"}},
         BadText{"image",
                 DAT_SCENE DAT_BODY "$7 a.ppm " DAT_CRS DAT_BODY "7 a.ppm " DAT_CRS DAT_BODY
                                    "$9 b.ppm " DAT_CRS "Uaxis 1 0 0 Vaxis 0 1 0 ",

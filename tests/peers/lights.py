@@ -18,6 +18,7 @@ class Rule:
     flags: tuple = ()  # of the peer's command
     args: tuple = ()  # further arguments of glint render
     files: dict = dataclasses.field(default_factory=dict)  # bytes of further files, by name
+    share: float = 0.99  # of the pixels that must agree
 
 
 # A floor with two balls, seen from (0, 3, -8) along (0, -0.35, 1).
