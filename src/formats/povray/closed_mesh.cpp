@@ -226,18 +226,12 @@ bool has_triangles(const ReadMesh& mesh) {
            });
 }
 
-std::shared_ptr<const ReadMesh> outward_mesh(MeshCloser& closer) {
+std::shared_ptr<const ReadMesh> split_and_turned(MeshCloser& closer) {
     if (!closer.split() || !closer.turn() || !closer.is_closed()) return nullptr;
     return make_counted<ReadMesh>(closer.mesh());
 }
 
 }  // namespace
-
-std::shared_ptr<const ReadMesh> facing_outwards(const ReadMesh& mesh) {
-    if (!has_triangles(mesh)) return nullptr;
-    MeshCloser closer(mesh);
-    return outward_mesh(closer);
-}
 
 std::shared_ptr<const ReadMesh> closed_mesh(const std::shared_ptr<const ReadMesh>& mesh) {
     ReadMesh::Closed& closed = mesh->closed;
@@ -247,11 +241,19 @@ std::shared_ptr<const ReadMesh> closed_mesh(const std::shared_ptr<const ReadMesh
         MeshCloser closer(*mesh);
         closed.is_closed = closer.is_closed();
         if (!closed.is_closed)
-            closed.changed = outward_mesh(closer);
-        else if (closer.turn() && closer.has_turned() && closer.is_closed())
+            closed.changed = split_and_turned(closer);
+        else if (closer.turn() && !closer.has_turned())
+            closed.is_outward = true;
+        else if (closer.has_turned() && closer.is_closed())
             closed.changed = make_counted<ReadMesh>(closer.mesh());
+        closed.is_outward |= closed.changed != nullptr;
     }
     return closed.is_closed && !closed.changed ? mesh : closed.changed;
+}
+
+std::shared_ptr<const ReadMesh> outward_mesh(const std::shared_ptr<const ReadMesh>& mesh) {
+    const std::shared_ptr<const ReadMesh> closed = closed_mesh(mesh);
+    return mesh->closed.is_outward ? closed : nullptr;
 }
 
 }  // namespace glint::povray

@@ -12,7 +12,7 @@ namespace glint::povray {
 /// takes too long. It is found once for each mesh.
 std::shared_ptr<const ReadMesh> closed_mesh(const std::shared_ptr<const ReadMesh>& mesh);
 
-/// The same, and all triangles face outwards. Null as above.
-std::shared_ptr<const ReadMesh> facing_outwards(const ReadMesh& mesh);
+/// The same, if all its triangles face outwards, else null.
+std::shared_ptr<const ReadMesh> outward_mesh(const std::shared_ptr<const ReadMesh>& mesh);
 
 }  // namespace glint::povray

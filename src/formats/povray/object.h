@@ -51,7 +51,7 @@ struct ReadMesh {
     bool has_inside = false;  ///< a ray that begins in it is inside: by `inside_vector`
     /// What closed_mesh() has found.
     struct Closed {
-        bool is_known = false, is_closed = false;
+        bool is_known = false, is_closed = false, is_outward = false;
         std::shared_ptr<const ReadMesh> changed;  ///< if the mesh is not closed or not turned outwards
     };
     mutable Closed closed{};

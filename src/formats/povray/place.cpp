@@ -173,13 +173,7 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
         return note_inside(object, own, first);
     }
     if (object.kind == ObjectKind::mesh) {
-        if (may_be_unseen && encloses_space(object)) {  // it may be cut in the end
-            Object closed = object;
-            closed.mesh = closed_mesh(object.mesh);
-            place_mesh(closed, own);
-        } else {
-            place_mesh(object, own);
-        }
+        place_mesh(object, own, may_be_unseen && encloses_space(object));
         note_inside(object, own, first);
     } else if (object.kind == ObjectKind::height_field) {
         place_field(object, own);

@@ -38,27 +38,23 @@ MeshParts* SceneBuilder::parts_of(const Object& object) {
 }
 
 // Light fades by the side of the faces from which it comes.
-void SceneBuilder::place_mesh(const Object& o, const Inherited& own) {
-    if (own.in_solid || own.clips) {
+void SceneBuilder::place_mesh(const Object& o, const Inherited& own, bool will_be_cut) {
+    const bool is_cut = own.in_solid || own.clips;
+    if (is_cut || will_be_cut) {
         Object closed = o;
         closed.mesh = closed_mesh(o.mesh);
-        return place_faces(closed, own);
+        return is_cut ? place_faces(closed, own) : place_mesh(closed, own, false);
     }
     if (!(fade_of(own).distance > 0) || !is_clear_somewhere(*o.mesh, *own.texture))
         return place_faces(o, own);
-    PlacedMesh& known = meshes_[o.mesh.get()];
-    known.mesh = o.mesh;
-    if (!known.turned && !known.is_open) {
-        if (!stream_.spend(o.mesh->triangles.size())) return;
-        known.turned = facing_outwards(*o.mesh);
-        known.is_open = !known.turned;
-    }
-    if (!known.turned) {
+    if (!o.mesh->closed.is_known && !stream_.spend(o.mesh->triangles.size())) return;
+    const std::shared_ptr<const ReadMesh> turned = outward_mesh(o.mesh);
+    if (!turned) {
         report({"fade_distance", "of a mesh that is open", stream_.call_place(o.at)});
         return place_faces(o, own);
     }
     Object facing = o;
-    facing.mesh = known.turned;
+    facing.mesh = turned;
     const std::size_t first = scene_.shapes.size();
     place_faces(facing, own);
     if (o.stands_for.empty() && !o.mesh->has_inside)

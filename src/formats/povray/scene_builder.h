@@ -88,7 +88,7 @@ class SceneBuilder {
     void note_solid(std::size_t shape, const Inherited& own);
 
     // place_mesh.cpp
-    void place_mesh(const Object& object, const Inherited& own);
+    void place_mesh(const Object& object, const Inherited& own, bool will_be_cut);
     void place_faces(const Object& object, const Inherited& own);
     bool place_single_face(const Object& object, const Inherited& own);
     bool gather_face(const Object& object, const Inherited& own, const Texture& texture);
@@ -191,8 +191,7 @@ class SceneBuilder {
     struct PlacedMesh {
         std::weak_ptr<const ReadMesh> mesh;
         MeshParts parts;
-        bool has_parts = false, is_open = false;
-        std::shared_ptr<const ReadMesh> turned;  // facing_outwards()
+        bool has_parts = false;
     };
     CountedHashMap<const ReadMesh*, PlacedMesh> meshes_;
     // Of each height_field that has been placed.
