@@ -397,7 +397,7 @@ GLINT_SMALL void record_sums(const WorldParts& world, const SurfaceBatch& surfac
                 const Vector3Elements through(seen_through(world, material, transparency, surfaces, h, a));
                 hit.opacity = LaneElements(transparency.opacity(world.conventions.opacity))[k];
                 hit.through = through.color(k);
-                hit.fade = surface_fade(world, surfaces, h + k);
+                hit.fade = surface_fade(world, surfaces, h + k, hit.through);
             }
             for (int part = 0; part < 4; ++part) hit.parts[part] = parts[part].color(k);
             if (hit.occlusion) hit.occlusion->part = sky.color(k);

@@ -23,6 +23,8 @@ RULES = [
     fading("material_after", BALL + "interior { ior 1.5 " + AMBER + " } material { texture { pigment { rgbf 1 } finish { ambient 0 diffuse 0 } } interior { ior 1.2 } } }"),
     fading("named_material_after", "#declare M = material { texture { pigment { rgbf 1 } finish { ambient 0 diffuse 0 } } };\n" + BALL + "interior { ior 1.5 " + AMBER + " } material { M } }"),
     *[fading(f"least_distance_{i}", BALL + clear(f"ior 1.2 fade_distance {d} fade_power 1") + "}") for i, d in enumerate((1e-10, 9.9e-11))],
+    *[fading("fresnel_conserve_" + str(i), BOX + clear("ior 1.5 " + AMBER, finish="ambient 0 diffuse 0 reflection { " + reflection + " } conserve_energy") + "rotate 30*y }")
+      for i, reflection in enumerate(("1 fresnel", "0.2, 1 fresnel"))],
     fading("pattern_inside", BALL + GLASS + "} sphere { <0.1, 1, 0>, 0.5 pigment { checker rgbt <1, 0.3, 0.2, 0.6> rgbt <0.2, 0.3, 1, 0.8> scale 0.3 } finish { ambient 0.2 diffuse 0.4 } }"),
     fading("without_power", BALL + clear("fade_distance 0.8") + "}"),
     fading("without_distance", BALL + clear("fade_power 2") + "}"),

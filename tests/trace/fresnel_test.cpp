@@ -97,6 +97,30 @@ TEST(Fresnel, GlassReflectsAndTransmitsAllLight) {
     EXPECT_GT(refracted, 20);
 }
 
+// Where nothing is let through (POV-Ray, measured: tests/peers/fading.py).
+TEST(Fresnel, WhatIsReflectedWholeDoesNotFade) {
+    int whole = 0, faded = 0;
+    for_each_hit(
+        "box { min = (-0.7, 0, -0.4)  max = (0.5, 0.9, 0.6)  rotate = (0, 30, 0)  color = (1, 1, 1)  ambient "
+        "= 0  diffuse = 0  transmit = 1  refracts = true  ior = 1.6  mirror = 1  mirror_fresnel = true  "
+        "conserve_energy = true  fade_distance = 0.5  fade_power = 1 }\n",
+        [&](const ExplainedHit& hit, double) {
+            if (!hit.behind) return;
+            if (hit.mirror < 1) {
+                EXPECT_LT(hit.fade.r, 1);
+                ++faded;
+                return;
+            }
+            EXPECT_EQ(hit.fade, (Color{1, 1, 1}));
+            if (hit.reflected.state == SecondaryRayState::traced) {
+                EXPECT_EQ(hit.reflected.weight, hit.weight);
+                ++whole;
+            }
+        });
+    EXPECT_GT(whole, 5);
+    EXPECT_GT(faded, 5);
+}
+
 TEST(Fresnel, OpaqueBallInWater) {
     int balls = 0;
     for_each_hit(

@@ -150,12 +150,18 @@ HWY_INLINE TransparencyLanes transparency_of(const WorldParts& world, const Mate
     return transparency;
 }
 
-/// The factor of the light that leaves an object through surface h (Material::fade_distance).
-inline Color surface_fade(const WorldParts& world, const SurfaceBatch& surfaces, int h) {
+/// The factor of the light that leaves an object through surface h (Material::fade_distance). through: what
+/// the surface lets through. If that is nothing because of Material::conserve_energy, light does not fade on
+/// its way to the surface, as on the way to an opaque one; the surface then reflects all (POV-Ray, measured).
+inline Color surface_fade(const WorldParts& world, const SurfaceBatch& surfaces, int h, Color through) {
     if (!world.uses<&Material::fade_distance>()) return {1, 1, 1};
+    const SurfaceId id = surfaces.surface(h);
+    const bool conserves =
+        world.extended_row(material_row(world, id))[k_extended_value<&Material::conserve_energy>] > 0;
+    if (conserves && through == Color{0, 0, 0}) return {1, 1, 1};
     const Vec3 incoming = vec3_at(surfaces.incoming, h);
     const double distance = surfaces.hit_t[static_cast<std::size_t>(h)] * glint::length(incoming);
-    return fade_at(world, surfaces.surface(h), vec3_at(surfaces.point, h), incoming, distance);
+    return fade_at(world, id, vec3_at(surfaces.point, h), incoming, distance);
 }
 
 /// The color of what the mirror shows.
