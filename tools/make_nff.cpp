@@ -39,8 +39,8 @@ double rounded(double a, int decimals) {
     return std::round(a * scale) / scale + 0.0;
 }
 
-// The nine children of a sphere whose `up` points away from its parent: six around it, three above. The web page
-// carries the flake of depth 3, so its text is short: centers to thousandths, radii to ten thousandths.
+// The nine children of a sphere whose `up` points away from its parent: six around it, three above. The web
+// page carries the flake of depth 3, so its text is short: centers to thousandths, radii to ten thousandths.
 void flake(Point center, double radius, Point up, int depth, int decimals) {
     std::printf("s %.6g %.6g %.6g %.6g\n", rounded(center.x, decimals), rounded(center.y, decimals),
                 rounded(center.z, decimals), rounded(radius, decimals + 1));
