@@ -48,7 +48,7 @@ constexpr CheckKind k_kinds[] = {
     {"shape-looks-like-background", "a shape has the color of the background behind it"},
     {"solid-empty", "a combination of shapes leaves nothing"},
     {"operand-cuts-nothing", "a shape that should cut something off a solid does not"},
-    {"faces-coincide", "faces of two shapes with different materials coincide, and are visible"},
+    {"faces-coincide", "faces of two shapes, or of two operands of a solid, coincide, and are visible"},
     {"seen-from-behind", "flat surfaces are seen from behind, and the conventions do not turn their normals"},
     {"normals-against-winding", "vertex normals point against the triangle's winding"},
     {"normals-on-both-sides", "a triangle's vertex normals point to both sides of it"},
@@ -123,6 +123,7 @@ Result<std::vector<Finding>> run_checks(const Scene& scene, const World& world, 
         std::vector<bool> explained = check_coincident_shapes(context);
         check_flat_shapes(context, *visible, explained);
         check_solids(context, *visible, explained);
+        check_coincident_operands(context, *visible);
         check_shapes(context, *visible, explained);
     });
     run_if_seen([&] { check_normals(context, *visible); });

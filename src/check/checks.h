@@ -32,6 +32,8 @@ void check_flat_shapes(CheckContext& context, const VisibleHits& visible, std::v
 void check_shapes(CheckContext& context, const VisibleHits& visible, const std::vector<bool>& explained);
 /// Solids that are empty, which are marked in `explained`, and operands that cut nothing.
 void check_solids(CheckContext& context, const VisibleHits& visible, std::vector<bool>& explained);
+/// Faces of a solid's operands in the same place.
+void check_coincident_operands(CheckContext& context, const VisibleHits& visible);
 /// Surfaces whose back faces the viewer, and vertex normals on the wrong side of their triangle.
 void check_normals(CheckContext& context, const VisibleHits& visible);
 /// Triangles of meshes that contradict their neighbours, their normals, or each other.

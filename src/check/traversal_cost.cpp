@@ -11,7 +11,8 @@ namespace {
 constexpr std::int32_t k_rays_a_side = 16;    // rays a side
 constexpr std::uint32_t k_max_boxes = 20000;  // of more, evenly spaced ones are tested
 
-// Whether the ray intersects the box before t.
+}  // namespace
+
 bool meets(const Bounds& box, Vec3 origin, Vec3 direction, double t) {
     double from = 0, to = t;
     const auto narrow = [&](double lo, double hi, double o, double d) {
@@ -28,8 +29,6 @@ bool meets(const Bounds& box, Vec3 origin, Vec3 direction, double t) {
     narrow(box.min.z, box.max.z, origin.z, direction.z);
     return from <= to;
 }
-
-}  // namespace
 
 double shapes_per_ray(const WorldParts& world, int threads) {
     const RayList rays = camera_rays(world, small_size(world.settings, k_rays_a_side));

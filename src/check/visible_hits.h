@@ -57,6 +57,9 @@ ShadowRays shadow_rays(const WorldParts& world, const VisibleHits& visible, cons
 /// The bounded shapes and solids that contain the point.
 std::vector<std::uint32_t> shapes_around(const CheckContext& context, Vec3 point);
 
+/// Whether the ray intersects the box before t.
+bool meets(const Bounds& box, Vec3 origin, Vec3 direction, double t);
+
 /// The approximate number of shapes tested per camera ray: those whose boxes it intersects before its hit.
 double shapes_per_ray(const WorldParts& world, int threads);
 
