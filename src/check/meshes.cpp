@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -26,8 +27,9 @@ struct Odd {
 
 class MeshCheck {
   public:
-    MeshCheck(CheckContext& context, const MeshData& mesh, std::uint32_t shape)
-        : context_(context), mesh_(mesh), shape_(shape) {}
+    /// name: of the shape, or of the operand of that solid.
+    MeshCheck(CheckContext& context, const MeshData& mesh, std::uint32_t shape, std::string name)
+        : context_(context), mesh_(mesh), shape_(shape), name_(std::move(name)) {}
 
     void run() {
         check_areas();
@@ -49,8 +51,8 @@ class MeshCheck {
         const bool few = static_cast<double>(odd.count) < k_few_triangles * static_cast<double>(size());
         context_.report(
             id, context_.at_shape(shape_),
-            fmt::format("{}: {} of the {} triangles of its mesh {}; the first is number {}, from 0",
-                        context_.shape(shape_), odd.count, size(), what, odd.first),
+            fmt::format("{}: {} of the {} triangles of its mesh {}; the first is number {}, from 0", name_,
+                        odd.count, size(), what, odd.first),
             std::move(remedy), few || is_harmless ? Severity::note : Severity::warning);
     }
 
@@ -133,6 +135,7 @@ class MeshCheck {
     CheckContext& context_;
     const MeshData& mesh_;
     const std::uint32_t shape_;  // the first one that has it
+    const std::string name_;
 };
 
 }  // namespace
@@ -140,12 +143,20 @@ class MeshCheck {
 void check_meshes(CheckContext& context) {
     const Scene& scene = context.scene();
     std::vector<bool> is_done(scene.meshes.size());
-    for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
-        if (scene.shapes[i].kind != ShapeKind::mesh) continue;
-        const std::uint32_t mesh = scene.get<Mesh>()[scene.shapes[i].index].mesh;
-        if (is_done[mesh]) continue;
+    const auto look_at = [&](const Shape& shape, std::uint32_t i, const auto& name) {
+        if (shape.kind != ShapeKind::mesh) return;
+        const std::uint32_t mesh = scene.get<Mesh>()[shape.index].mesh;
+        if (is_done[mesh]) return;
         is_done[mesh] = true;
-        MeshCheck(context, *scene.meshes[mesh], i).run();
+        MeshCheck(context, *scene.meshes[mesh], i, name()).run();
+    };
+    for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
+        look_at(scene.shapes[i], i, [&] { return context.shape(i); });
+        std::size_t number = 0;
+        for (const Shape& operand : operands_of(scene, scene.shapes[i])) {
+            ++number;
+            look_at(operand, i, [&] { return fmt::format("shape {} of {}", number, context.shape(i)); });
+        }
     }
 }
 

@@ -2,7 +2,10 @@
 // Textures that are not visible.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <span>
+#include <vector>
 
 #include "check/checks.h"
 #include "math/transform.h"
@@ -48,24 +51,45 @@ void check_coordinates(CheckContext& context) {
         std::size_t triangles = 0, of = 0;  // of `partly`: those without, and all
     };
     std::vector<Use> uses(scene.materials.size());
+    // Some shapes of a material: a shape, or those of a solid. Of these, others than meshes may be meant to
+    // have none if a mesh has coordinates.
+    const auto add = [&](std::uint32_t i, std::uint32_t material, std::span<const Shape> parts) {
+        const std::uint32_t texture = material == k_none ? k_none : scene.materials[material].texture;
+        if (texture == k_none || scene.textures[texture].mapping != TextureMapping::uv) return;
+        bool has_any = false;
+        std::size_t triangles = 0, of = 0;  // of meshes: those without, and all
+        for (const Shape& part : parts) {
+            if (part.kind != ShapeKind::mesh || part.material != material) continue;
+            const std::uint32_t mesh = scene.get<Mesh>()[part.index].mesh;
+            const std::size_t count = scene.meshes[mesh]->triangles.size();
+            has_any = has_any || missing[mesh] < count;
+            triangles += missing[mesh], of += count;
+        }
+        Use& use = uses[material];
+        ++use.shapes;
+        if (!has_any) {
+            use.without.push_back(i);
+        } else if (triangles > 0) {
+            use.partly.push_back(i);
+            use.triangles += triangles, use.of += of;
+        }
+    };
     for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
         const Shape& shape = scene.shapes[i];
-        if (shape.kind == ShapeKind::solid) continue;  // of its operands, some may have coordinates
-        if (shape.material == k_none) continue;
-        const std::uint32_t texture = scene.materials[shape.material].texture;
-        if (texture == k_none || scene.textures[texture].mapping != TextureMapping::uv) continue;
-        Use& use = uses[shape.material];
-        ++use.shapes;
-        const bool is_mesh = shape.kind == ShapeKind::mesh;
-        const std::uint32_t mesh = is_mesh ? scene.get<Mesh>()[shape.index].mesh : 0;
-        const std::size_t count = is_mesh ? scene.meshes[mesh]->triangles.size() : 0;
-        if (!is_mesh || missing[mesh] == count) {
-            use.without.push_back(i);
-        } else if (missing[mesh] > 0) {
-            use.partly.push_back(i);
-            use.triangles += missing[mesh];
-            use.of += count;
+        if (shape.kind != ShapeKind::solid) {
+            add(i, shape.material, {&shape, 1});
+            continue;
         }
+        const auto operands = operands_of(scene, shape);
+        std::vector<Shape> parts(operands.begin(), operands.end());
+        std::vector<std::uint32_t> materials;
+        for (Shape& part : parts) {
+            if (part.material == k_none) part.material = shape.material;
+            materials.push_back(part.material);
+        }
+        std::sort(materials.begin(), materials.end());
+        materials.erase(std::unique(materials.begin(), materials.end()), materials.end());
+        for (const std::uint32_t material : materials) add(i, material, parts);
     }
     for (std::uint32_t i = 0; i < uses.size(); ++i) {
         const Use& use = uses[i];

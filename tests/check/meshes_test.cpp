@@ -52,5 +52,23 @@ TEST(CheckMeshes, NormalsAgainstTheWinding) {
     EXPECT_EQ(ids_of(k_clean + strip({}, normals("(0, 0, 1)", "(0, 0, -1)"))), "normals-on-both-sides@7");
 }
 
+TEST(CheckMeshes, ShapesOfSolids) {
+    const auto cut = [](std::string_view more) {
+        return fmt::format(
+            "{}difference \"cup\" {{ box {{ min = (-0.5, 0.7, 1.7)  max = (0.5, 1.5, 1.9) }} mesh {{ "
+            "vertices = "
+            "((-0.4, 0.8, 2), (0.4, 0.8, 2), (0, 0.8, 1.6), (0, 1.6, 1.8))  triangles = ((0, 2, 1), (0, 1, "
+            "3), (1, 2, 3), (2, 0, 3){}  }} }}\n",
+            k_clean, more);
+    };
+    EXPECT_EQ(ids_of(cut(")")), "");
+    EXPECT_EQ(ids_of(cut(", (0, 0, 1))")), "mesh-without-area@7");
+    const std::string message = only_message(cut(", (0, 0, 1))"));
+    EXPECT_TRUE(has(message, "shape 2 of solid 'cup': 1 of the 5 triangles of its mesh have no area"))
+        << message;
+    const std::string turned = ")  normals = ((0, 0, -1), (0, 0, -1), (0, 0, -1), (0, 0, -1))";
+    EXPECT_TRUE(has(ids_of(cut(turned)), "normals-against-winding@7")) << ids_of(cut(turned));
+}
+
 }  // namespace
 }  // namespace glint::test

@@ -57,6 +57,28 @@ TEST(CheckTextures, ShapesWithoutCoordinates) {
         << two;
 }
 
+// Of a solid, meshes are asked for coordinates, and its other shapes if there is no mesh that has them.
+TEST(CheckTextures, ShapesOfSolidsWithoutCoordinates) {
+    const auto cut = [](std::string_view first, std::string_view second) {
+        return ids_of(
+            fmt::format("{}{}{}difference {{ {} {} }}\n", k_clean, texture(""), k_painted, first, second));
+    };
+    const auto wedge = [](std::string_view coordinates) {
+        return fmt::format(
+            "mesh {{ vertices = ((-0.4, 0.8, 2), (0.4, 0.8, 2), (0, 0.8, 1.6), (0, 1.6, 1.8))  triangles = "
+            "((0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3))  {} material = painted }}",
+            coordinates);
+    };
+    const std::string_view plain = "sphere { center = (0, 1.2, 2.1)  radius = 0.2  color = (1, 0, 0) }",
+                           painted = "sphere { center = (0, 1.2, 2.1)  radius = 0.2  material = painted }";
+    const std::string sound = wedge("texture_coordinates = (" + k_whole + ")  ");
+    EXPECT_EQ(cut(sound, plain), "");
+    EXPECT_EQ(cut(sound, painted), "");
+    EXPECT_EQ(cut(wedge(""), plain), "texture-without-coordinates@8");
+    EXPECT_EQ(cut("box { min = (-0.3, 0.9, 1.8)  max = (0.3, 1.5, 2.1) }", painted),
+              "texture-without-coordinates@8");
+}
+
 TEST(CheckTextures, TrianglesWithoutCoordinates) {
     const std::string all = k_clean + texture("") + k_painted + square(k_whole) + square(k_whole);
     Scene scene = load_text(all, "scene.glint").value();
