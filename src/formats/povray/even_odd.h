@@ -23,6 +23,9 @@ inline constexpr std::size_t k_max_loop_points = 4096;
 inline constexpr double k_same_point = 1e-10;
 
 inline bool is_same_coordinate(double a, double b) { return number::abs(a - b) <= k_same_point; }
+inline bool is_same_point(FlatPoint a, FlatPoint b) {
+    return is_same_coordinate(a.x, b.x) && is_same_coordinate(a.y, b.y);
+}
 
 /// Calls use(first, end) for each closed line of a list: the first point, when it comes again, ends one, and
 /// the next point begins another one. The point that ends it is not part of it. The last one may be open.

@@ -51,20 +51,17 @@ class PrismMesh {
     bool is_conic_;
 };
 
-bool is_same(FlatPoint a, FlatPoint b) {
-    return is_same_coordinate(a.x, b.x) && is_same_coordinate(a.y, b.y);
-}
-
 // The end of the points of the closed line that begins with points[first]: the first point of its curve, when
 // it comes again, ends the curve. A bezier spline's ends where the next curve begins elsewhere.
 std::size_t end_of_line(const FlatLoop& points, std::size_t first, Spline spline) {
     if (spline == Spline::bezier) {
-        for (first += 4; first < points.size() && is_same(points[first], points[first - 1]);) first += 4;
+        for (first += 4; first < points.size() && is_same_point(points[first], points[first - 1]);)
+            first += 4;
         return std::min(first, points.size());
     }
     const std::size_t begin = first + (spline == Spline::linear ? 0 : 1);
     for (std::size_t i = begin + 1; i < points.size(); ++i) {
-        if (is_same(points[i], points[begin]))
+        if (is_same_point(points[i], points[begin]))
             return std::min(i + (spline == Spline::cubic ? 2 : 1), points.size());
     }
     return points.size();
@@ -78,7 +75,7 @@ CountedVector<FlatLoop> loops_of(const FlatLoop& points, Spline spline,
         const std::size_t end = end_of_line(points, first, spline);
         FlatLoop loop;
         add_curve(points, first, end, spline, spend, loop);
-        if (loop.size() > 1 && is_same(loop.back(), loop.front())) {
+        if (loop.size() > 1 && is_same_point(loop.back(), loop.front())) {
             loop.pop_back();
         } else if (spline != Spline::linear) {
             return {};

@@ -58,17 +58,13 @@ std::shared_ptr<const Object> merged(const Object& lathe) {
     return part_of(lathe.at, ObjectKind::group, SolidOperation::unite, std::move(parts));
 }
 
-bool is_same(FlatPoint a, FlatPoint b) {
-    return is_same_coordinate(a.x, b.x) && is_same_coordinate(a.y, b.y);
-}
-
 }  // namespace
 
 void add_lathe_line(const FlatLoop& line, LatheLines& lines) {
     if (line.size() < 2) return;
     const bool goes_on = !lines.loops.empty() &&
-                         !is_same(lines.loops.back().front(), lines.loops.back().back()) &&
-                         is_same(lines.loops.back().back(), line.front());
+                         !is_same_point(lines.loops.back().front(), lines.loops.back().back()) &&
+                         is_same_point(lines.loops.back().back(), line.front());
     if (!goes_on) lines.loops.emplace_back();
     FlatLoop& loop = lines.loops.back();
     loop.insert(loop.end(), line.begin() + (goes_on ? 1 : 0), line.end());
@@ -77,7 +73,7 @@ void add_lathe_line(const FlatLoop& line, LatheLines& lines) {
 bool is_closed_lathe(const LatheLines& lines) {
     const auto is_on_axis = [](FlatPoint p) { return number::abs(p.x) <= k_on_axis; };
     for (const FlatLoop& loop : lines.loops) {
-        const bool is_closed = is_same(loop.front(), loop.back());
+        const bool is_closed = is_same_point(loop.front(), loop.back());
         if (!is_closed && !(is_on_axis(loop.front()) && is_on_axis(loop.back()))) return false;
     }
     return !lines.loops.empty();
