@@ -18,14 +18,15 @@
 namespace glint {
 namespace {
 
-constexpr std::uint64_t k_most_lines = 1'000'000;  // of a ray and an operand, of all solids: a second
-constexpr std::uint64_t k_mesh_lines = 20;         // a mesh takes the time of so many other operands
-constexpr std::uint64_t k_box_lines = 20;          // so many rays and a box take the time of one of these
-constexpr std::size_t k_most_rays = 20'000;        // of a solid
-constexpr std::size_t k_least_rays = 1000;         // fewer can miss a face that is worth a finding
-constexpr std::size_t k_least_found = 3;           // rays that meet a pair
-constexpr double k_least_share = 1e-4;             // of the picture, as for the faces of whole shapes
-constexpr std::size_t k_max_pairs = 3;             // reported of a solid
+constexpr std::uint64_t k_most_lines = 1'000'000;    // of a ray and an operand, of all solids: a second
+constexpr std::uint64_t k_most_steps = 200'000'000;  // to compare crossings, of all solids: a second
+constexpr std::uint64_t k_mesh_lines = 20;           // a mesh takes the time of so many other operands
+constexpr std::uint64_t k_box_lines = 20;            // so many rays and a box take the time of one of these
+constexpr std::size_t k_most_rays = 20'000;          // of a solid
+constexpr std::size_t k_least_rays = 1000;           // fewer can miss a face that is worth a finding
+constexpr std::size_t k_least_found = 3;             // rays that meet a pair
+constexpr double k_least_share = 1e-4;               // of the picture, as for the faces of whole shapes
+constexpr std::size_t k_max_pairs = 3;               // reported of a solid
 
 // The camera's rays, also those that hit nothing, and the secondary ones.
 std::vector<SightLine> sight_lines(const CheckContext& context, const VisibleHits& visible) {
@@ -123,7 +124,7 @@ void check_coincident_operands(CheckContext& context, const VisibleHits& visible
     const PackedGeometry& geometry = *context.world().geometry;
     const std::vector<SightLine> lines = sight_lines(context, visible);
     const std::uint64_t of_box = lines.size() / k_box_lines;
-    std::uint64_t left = k_most_lines;
+    std::uint64_t left = k_most_lines, steps_left = k_most_steps;
     for (std::uint32_t slot = 0; slot < geometry.bounded && left >= of_box; ++slot) {
         if (geometry.class_of(slot).kind != ShapeKind::solid) continue;
         const std::uint32_t shape = geometry.shape_index[slot];
@@ -137,11 +138,14 @@ void check_coincident_operands(CheckContext& context, const VisibleHits& visible
         const auto meshes = static_cast<std::uint64_t>(std::count_if(
             operands.begin(), operands.end(), [](const Shape& s) { return s.kind == ShapeKind::mesh; }));
         const std::uint64_t of_ray = operands.size() + k_mesh_lines * meshes;
-        const std::size_t most = std::min<std::uint64_t>(k_most_rays, left / of_ray);
+        const auto most = static_cast<std::size_t>(std::min<std::uint64_t>(k_most_rays, left / of_ray));
         if (met.empty() || (met.size() > most && most < k_least_rays)) continue;
         const std::size_t step = (met.size() - 1) / most + 1;
-        for (std::size_t i = 0; i < met.size(); i += step) faces.look_along(*met[i]);
+        for (std::size_t i = 0; i < met.size() && faces.steps() <= steps_left; i += step)
+            faces.look_along(*met[i]);
         left -= of_ray * ((met.size() - 1) / step + 1);
+        if (faces.steps() > steps_left) return;
+        steps_left -= faces.steps();
         report_faces(context, faces, shape, static_cast<double>(step) / static_cast<double>(visible.rays()));
     }
 }

@@ -19,6 +19,7 @@ namespace {
 constexpr double k_one_face = 1e-9;
 constexpr double k_same_direction = 2e-5, k_flattest = 0.02;  // radians; cosine
 constexpr double k_side_step = 1e-4;                          // of the solid's size
+constexpr std::size_t k_most_beside = 8;                      // crossings that one is compared with
 
 double largest(Vec3 v) {
     return number::max(number::abs(v.x), number::max(number::abs(v.y), number::abs(v.z)));
@@ -54,7 +55,8 @@ void SolidFaces::look_along(const SightLine& line) {
         if (first.t <= near / k_flattest) continue;  // the surface that the ray leaves
         // Of the shape that is hit, the face itself counts; behind another shape nothing is seen.
         if (first.t > line.end + (line.shape == shape_ ? near : -near)) break;
-        for (std::size_t k = i + 1; k < all.size() && all[k].t <= first.t + near / k_flattest; ++k) {
+        const std::size_t end = std::min(all.size(), i + 1 + k_most_beside);
+        for (std::size_t k = i + 1; k < end && all[k].t <= first.t + near / k_flattest; ++k) {
             const std::uint32_t a = first.operand, b = all[k].operand;
             const OperandPair pair{std::min(a, b), std::max(a, b)};
             if (a == b || std::find(done.begin(), done.end(), pair) != done.end()) continue;
@@ -116,8 +118,8 @@ SolidFaces::Operands SolidFaces::seen_in(States states, const std::vector<Operan
 }
 
 // What the order of two crossings changes. Others that are near are taken to be in front of them, or behind.
-SolidFaces::Difference SolidFaces::difference_of(const Crossing& first, const Crossing& second,
-                                                 double near) const {
+SolidFaces::Difference SolidFaces::difference_of(const Crossing& first, const Crossing& second, double near) {
+    steps_ += 8 * (count() + packed_.items.size());
     const std::uint32_t a = first.operand, b = second.operand;
     const States before = states_at(first.t - near), after = states_at(second.t + near);
     if (before[a] == after[a] || before[b] == after[b]) return Difference::none;  // an edge

@@ -41,6 +41,8 @@ class SolidFaces {
 
     const Bounds& box() const { return box_; }
     void look_along(const SightLine& line);
+    /// How many operands and items of the tree look_along() has gone through to compare crossings.
+    std::uint64_t steps() const { return steps_; }
     const std::map<OperandPair, FacesFound>& found() const { return found_; }
 
   private:
@@ -65,7 +67,7 @@ class SolidFaces {
     double nearest(const Crossing& to, Vec3 origin, Vec3 direction);
     States states_at(double t) const;
     Operands seen_in(States states, const std::vector<Operands>& order, const States& last) const;
-    Difference difference_of(const Crossing& first, const Crossing& second, double near) const;
+    Difference difference_of(const Crossing& first, const Crossing& second, double near);
     bool are_one_face(const SightLine& line, const Crossing& a, const Crossing& b, double near);
 
     const WorldParts& world_;
@@ -79,6 +81,7 @@ class SolidFaces {
     std::vector<std::vector<Crossing>> crossings_;  // by operand, of the line that is looked along
     std::vector<Crossing> beside_;                  // of an operand, of a line beside it
     std::vector<double> ends_;
+    std::uint64_t steps_ = 0;
     std::map<OperandPair, FacesFound> found_;
 };
 

@@ -232,8 +232,24 @@ TEST(CheckSolids, Lathes) {
     EXPECT_EQ(with("lathe { linear_spline 5, <1, -1>, <2, -1>, <2.5, 1>, <1.2, 1>, <1, -1> }"), "");
     EXPECT_EQ(with("lathe { linear_spline 6, <1, -1>, <2, -1>, <2.2, 0>, <2.5, 1>, <1.2, 1>, <1, -1> }"), "");
     EXPECT_EQ(with("lathe { linear_spline 5, <1, -1>, <2, -1>, <2, 1>, <1, 1>, <1, -1> }"), "");
+    EXPECT_EQ(
+        with("lathe { linear_spline 7, <0, -1>, <1, -1>, <1.5, 0>, <1, 0.5>, <1.4, 1>, <1, 1.5>, <0, 1.5> "
+             "clipped_by { box { <-3, -0.5, -3>, <3, 3, 3> } } }"),
+        "");
     // The same of two cylinders can be changed.
     EXPECT_EQ(with("difference { cylinder { -y, y, 2 } cylinder { -y, y, 1 } }"), "faces-coincide@6");
+}
+
+// So many pairs that they are not examined: it takes no more than some seconds.
+TEST(CheckSolids, ManyFacesInOnePlane) {
+    std::string solid = "union {";
+    for (int i = 0; i < 200; ++i) {
+        solid += fmt::format(" box {{ min = (-1, 0, {})  max = (1, 1, 1.5)  color = ({}, 0.5, 0.5) }}",
+                             1.4 - 0.001 * i, 0.3 + 0.002 * i);
+    }
+    const std::string found =
+        ids_with("merge { " + solid + " } sphere { center = (0, 2, 2)  radius = 0.3 } }");
+    EXPECT_EQ(found.find("faces-coincide"), std::string::npos) << found;
 }
 
 }  // namespace
