@@ -392,12 +392,13 @@ GLINT_SMALL void record_sums(const WorldParts& world, const SurfaceBatch& surfac
             hit.local_share = share[k];
             hit.highlight_share = highlight_share[k];
             if (world.is_transparent(hit.material)) {
+                const Vector3Elements left(left_by_mirror(world, material, surfaces, h, a));
                 hit.transparent = true;
                 const TransparencyLanes transparency = transparency_of(world, material, surfaces, h);
                 const Vector3Elements through(seen_through(world, material, transparency, surfaces, h, a));
                 hit.opacity = LaneElements(transparency.opacity(world.conventions.opacity))[k];
                 hit.through = through.color(k);
-                hit.fade = surface_fade(world, surfaces, h + k, hit.through);
+                hit.fade = surface_fade(world, surfaces, h + k, left.color(k));
             }
             for (int part = 0; part < 4; ++part) hit.parts[part] = parts[part].color(k);
             if (hit.occlusion) hit.occlusion->part = sky.color(k);

@@ -121,6 +121,28 @@ TEST(Fresnel, WhatIsReflectedWholeDoesNotFade) {
     EXPECT_GT(faded, 5);
 }
 
+// What is filtered out on the way is nothing that a mirror takes.
+TEST(Fresnel, ColoredLightFadesWhereAnotherColorLeaves) {
+    int total = 0;
+    const std::string glass =
+        "ambient = 0  diffuse = 0  filter = 1  refracts = true  ior = 1.6  mirror = 0.5  mirror_fresnel = "
+        "true  "
+        "conserve_energy = true  fade_distance = 0.5  fade_power = 1 ";
+    for_each_hit(
+        "intersection { rotate = (0, 30, 0)\n"
+        "box { min = (-0.7, 0, -0.4)  max = (0.5, 0.9, 0.6)  color = (1, 0, 0) " +
+            glass + "}\nplane { point = (0, 0, -0.2)  normal = (0, 0, -1)  color = (0, 1, 1) " + glass +
+            "} }\n",
+        [&](const ExplainedHit& hit, double) {
+            if (!hit.behind || hit.fresnel < 1) return;
+            EXPECT_LT(hit.fade.r, 1);
+            if (hit.reflected.state != SecondaryRayState::traced) return;
+            EXPECT_NEAR(hit.reflected.weight.r, hit.weight.r * hit.fade.r, 1e-15);
+            ++total;
+        });
+    EXPECT_GT(total, 5);
+}
+
 TEST(Fresnel, OpaqueBallInWater) {
     int balls = 0;
     for_each_hit(

@@ -216,6 +216,37 @@ TEST(Solids, ManyHolesEqualAFewOfThem) {
     }
 }
 
+// Of many crossings each ray is tested by itself, of few all of a vector: which it is depends on the packet.
+TEST(Solids, RaysMeetTheSameAloneAndTogether) {
+    Random random(4012);
+    int hits = 0;
+    for (int round = 0; round < 40; ++round) {
+        Scene scene;
+        scene.shapes.push_back(random_solid(scene, random, 12 + 4 * round).shape);
+        const std::optional<World> world = make_world(scene);
+        ASSERT_TRUE(world);
+        Rays rays;
+        for (int i = 0; i < 64; ++i) {
+            const Vec3 to = point_in_cube(random, 1.5), o = i % 4 == 0 ? to : Vec3{0, 0.2, 6};
+            rays.push(o, i % 4 == 0 ? unit_direction(random) : normalize(to - o));
+        }
+        std::optional<Hits> all;
+        for (const Kernels& kernels : available_kernels()) {
+            for (const int batch : {64, 7, 1}) {
+                const Hits found = nearest_hits(kernels, *world, rays, batch);
+                if (!all) all = found;
+                for (std::size_t i = 0; i < 64; ++i) {
+                    ASSERT_EQ(found.t[i], all->t[i]) << "round " << round << ", ray " << i;
+                    ASSERT_EQ(found.slot[i], all->slot[i]);
+                    ASSERT_EQ(found.element[i], all->element[i]);
+                }
+            }
+        }
+        for (std::size_t i = 0; i < 64; ++i) hits += all->slot[i] != k_none;
+    }
+    EXPECT_GT(hits, 400);
+}
+
 // Each operand has its own material, or the solid's.
 TEST(Solids, OperandsHaveMaterials) {
     Scene scene;

@@ -155,7 +155,8 @@ HWY_INLINE void queue_vector(const WorldParts& world, const SurfaceBatch& surfac
         weight_straight_rays(world, material, surfaces, h, a, through, weight, b);
         Vector3<Doubles> fade = lanes_of(Vec3{1, 1, 1});
         if (world.uses<&Material::fade_distance>()) {
-            fade = fades_at(world, surfaces, h, to_bits(through), b.transmitted);
+            fade = fades_at(world, surfaces, h, to_bits(through),
+                            left_by_mirror(world, material, surfaces, h, a));
             b.transmitted = select_vector3(through, b.transmitted * fade, b.transmitted);
         }
         if (world.uses<&Material::refracts>()) {

@@ -19,17 +19,17 @@ namespace glint {
 namespace HWY_NAMESPACE {
 
 /// The factors of the light that leaves objects through the surfaces whose bits are set
-/// (Material::fade_distance). transmitted: their rays' weights.
+/// (Material::fade_distance). left: left_by_mirror().
 GLINT_SMALL Vector3<Doubles> fades_at(const WorldParts& world, const SurfaceBatch& surfaces, int h,
-                                      std::uint32_t through, const Vector3<Doubles>& transmitted) noexcept {
-    alignas(k_ray_alignment) double weights[3][lane_count<double>()];
-    store_vector3(transmitted, weights, 0);
+                                      std::uint32_t through, const Vector3<Doubles>& left) noexcept {
+    alignas(k_ray_alignment) double left_of[3][lane_count<double>()];
+    store_vector3(left, left_of, 0);
     alignas(k_ray_alignment) double factors[3][lane_count<double>()];
     for (auto& channel : factors) std::fill_n(channel, lane_count<double>(), 1.0);
     for (std::uint32_t bits = through; bits != 0; bits &= bits - 1) {
         const int k = __builtin_ctz(bits);
         const Color fade =
-            surface_fade(world, surfaces, h + k, {weights[0][k], weights[1][k], weights[2][k]});
+            surface_fade(world, surfaces, h + k, {left_of[0][k], left_of[1][k], left_of[2][k]});
         factors[0][k] = fade.r;
         factors[1][k] = fade.g;
         factors[2][k] = fade.b;

@@ -150,15 +150,12 @@ HWY_INLINE TransparencyLanes transparency_of(const WorldParts& world, const Mate
     return transparency;
 }
 
-/// The factor of the light that leaves an object through surface h (Material::fade_distance). through: what
-/// the surface lets through. If that is nothing because of Material::conserve_energy, light does not fade on
-/// its way to the surface, as on the way to an opaque one; the surface then reflects all (POV-Ray, measured).
-inline Color surface_fade(const WorldParts& world, const SurfaceBatch& surfaces, int h, Color through) {
-    if (!world.uses<&Material::fade_distance>()) return {1, 1, 1};
+/// The factor of the light that leaves an object through surface h (Material::fade_distance). left: of
+/// left_by_mirror(). If it is nothing, light does not fade on its way to the surface, as on the way to an
+/// opaque one; the mirror then reflects all (POV-Ray, measured).
+inline Color surface_fade(const WorldParts& world, const SurfaceBatch& surfaces, int h, Color left) {
+    if (!world.uses<&Material::fade_distance>() || left == Color{0, 0, 0}) return {1, 1, 1};
     const SurfaceId id = surfaces.surface(h);
-    const bool conserves =
-        world.extended_row(material_row(world, id))[k_extended_value<&Material::conserve_energy>] > 0;
-    if (conserves && through == Color{0, 0, 0}) return {1, 1, 1};
     const Vec3 incoming = vec3_at(surfaces.incoming, h);
     const double distance = surfaces.hit_t[static_cast<std::size_t>(h)] * glint::length(incoming);
     return fade_at(world, id, vec3_at(surfaces.point, h), incoming, distance);
@@ -175,17 +172,26 @@ HWY_INLINE Vector3<Doubles> mirror_tint_of(const WorldParts& world, const Materi
                              incidence(normal, incoming));
 }
 
+/// What the mirrors of the surfaces at h leave of the light that passes them (Material::conserve_energy).
+/// a: mirror_of().
+HWY_INLINE Vector3<Doubles> left_by_mirror(const WorldParts& world, const MaterialLanes& material,
+                                           const SurfaceBatch& surfaces, int h, Doubles a) {
+    const Vector3<Doubles> all = lanes_of(Vec3{1, 1, 1});
+    if (!world.uses<&Material::conserve_energy>()) return all;
+    const Doubles conserves = ExtendedLanes(material).value<&Material::conserve_energy>();
+    const Vector3<Doubles> mirror = mirror_tint_of(world, material, load_vector3(surfaces.normal, h),
+                                                   load_vector3(surfaces.incoming, h)) *
+                                    a;
+    return all - mirror * conserves;
+}
+
 /// The factor of what the eye sees through the surfaces at h. a: mirror_of().
 HWY_INLINE Vector3<Doubles> seen_through(const WorldParts& world, const MaterialLanes& material,
                                          const TransparencyLanes& transparency, const SurfaceBatch& surfaces,
                                          int h, Doubles a) {
     const Vector3<Doubles> through = transparency.through();
     if (!world.uses<&Material::conserve_energy>()) return through;
-    const Doubles conserves = ExtendedLanes(material).value<&Material::conserve_energy>();
-    const Vector3<Doubles> mirror = mirror_tint_of(world, material, load_vector3(surfaces.normal, h),
-                                                   load_vector3(surfaces.incoming, h)) *
-                                    a;
-    return through * (lanes_of(Vec3{1, 1, 1}) - mirror * conserves);
+    return through * left_by_mirror(world, material, surfaces, h, a);
 }
 
 }  // namespace HWY_NAMESPACE
