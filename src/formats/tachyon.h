@@ -70,6 +70,7 @@ enum class TachyonLimit : std::uint8_t {
     normal_lengths,
     grain,
     rings,
+    bright_highlight,
     count
 };
 

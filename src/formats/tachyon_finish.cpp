@@ -25,6 +25,9 @@ constexpr std::string_view k_limit_texts[] = {
     ("glint has its own noise for grit and marble (`TexFunc` 2 and 3), with another grain: the picture will "
      "differ"),
     "the rings of wood (`TexFunc` 4) are round here; in Tachyon they have waves of 3 units",
+    ("the highlight of this metal is white, and not in the colors of its pattern (`TexFunc`), because its "
+     "Phong, "
+     "Ambient or Diffuse is above 1: the picture will differ"),
 };
 static_assert(std::size(k_limit_texts) == static_cast<std::size_t>(TachyonLimit::count));
 
@@ -165,6 +168,11 @@ void finish_tachyon(LoadState& reading) {
     scene.lights.push_back(ambient);
 
     const bool is_shaded = state.shader == TachyonShader::full || state.shader == TachyonShader::medium;
+    const bool has_bright_highlight =
+        std::any_of(state.textures.begin(), state.textures.end(), [&](const auto& of) {
+            return of.second.function != TachyonFunction::none && of.second.is_metal &&
+                   !tints_highlight(of.second, metal);
+        });
     const auto drop = [&](TachyonLimit which, bool matters) {
         if (!matters) state.limit(which).reset();
     };
@@ -172,6 +180,7 @@ void finish_tachyon(LoadState& reading) {
     drop(TachyonLimit::normal_lengths, is_shaded);
     drop(TachyonLimit::grain, state.shader != TachyonShader::lowest);
     drop(TachyonLimit::rings, state.shader != TachyonShader::lowest);
+    drop(TachyonLimit::bright_highlight, is_shaded && has_bright_highlight);
     drop(TachyonLimit::fogged_light, scene.fog.has_value());
     for (std::size_t i = 0; i < state.limits.size(); ++i) {
         const auto& at = state.limits[i];

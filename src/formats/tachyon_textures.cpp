@@ -83,6 +83,8 @@ std::uint32_t TachyonReader::add_material(const TachyonTexture& texture, const T
     if (texture.function == TachyonFunction::grit || texture.function == TachyonFunction::marble)
         note_limit(TachyonLimit::grain, function_);
     if (texture.function == TachyonFunction::wood) note_limit(TachyonLimit::rings, function_);
+    if (texture.function != TachyonFunction::none && texture.is_metal && texture.phong > 0)
+        note_limit(TachyonLimit::bright_highlight, function_);
     return material;
 }
 

@@ -83,6 +83,17 @@ TEST(TachyonTextures, HighlightsOfMetalHaveThePatternsColor) {
     EXPECT_EQ(mix_of("Phong Metal 1.5 Phong_size 9"), TextureMix::multiply);  // not a part of the color
 }
 
+TEST(TachyonTextures, ABrightHighlightOfMetalIsWarnedOf) {
+    const auto warns = [](const std::string& phong, int function) {
+        return messages_of(read("Sphere Center 0 0 0 Rad 1 " + body(function, phong)))
+                   .find("the highlight of this metal is white") != std::string::npos;
+    };
+    EXPECT_TRUE(warns("Phong Metal 1.5 Phong_size 9", 1));
+    EXPECT_FALSE(warns("Phong Metal 0.5 Phong_size 9", 1));
+    EXPECT_FALSE(warns("Phong Plastic 1.5 Phong_size 9", 1));
+    EXPECT_FALSE(warns("Phong Metal 1.5 Phong_size 9", 0));
+}
+
 TEST(TachyonTextures, AreSharedAndKeepTheirPlaces) {
     const std::string ball = "Sphere Center 0 0 0 Rad 1 ";
     const Result<Scene> scene = read(ball + body(3, "", "Center 0 0 0") + ball + body(3, "", "Center 1 0 0") +
