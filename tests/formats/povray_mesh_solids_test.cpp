@@ -97,6 +97,20 @@ TEST(PovRayMeshSolids, ALatheIsTheMergeOfWhatIsBetweenItsEdges) {
     EXPECT_EQ(clipped.solids.size(), 1u);
 }
 
+TEST(PovRayMeshSolids, LathesSayWhyTheyAreNoParts) {
+    const std::string nothing = said_of(cut("lathe { linear_spline 3, <0, 0>, <1, 0>, <0, 0> }"));
+    EXPECT_NE(nothing.find("`lathe` (that encloses nothing, in a solid)"), std::string::npos) << nothing;
+    std::string fine = "lathe { cubic_spline 40, <0, -1>";
+    for (int i = 0; i < 38; ++i)
+        fine += ", <" + std::to_string(i % 37 == 0 ? 0 : 1 + i % 2) + ", " + std::to_string(i) + ">";
+    fine += ", <0, 38> }";
+    const std::string many = said_of(cut(fine));
+    EXPECT_NE(many.find("of more than 4096 shapes"), std::string::npos) << many;
+    // Such a merge keeps its inner surfaces.
+    const std::string merged = said_of("merge { " + fine + " sphere { 0, 1 } pigment { rgbt 0.5 } }");
+    EXPECT_NE(merged.find("`merge` (of transparent surfaces)"), std::string::npos) << merged;
+}
+
 TEST(PovRayMeshSolids, InsideKnowsMeshes) {
     const auto radius = [](const std::string& point) {
         const Scene scene =

@@ -235,12 +235,13 @@ TEST(PovRayMissing, EffectsOfMirrorsAreNamedWhereThereAreSome) {
     EXPECT_EQ(said("sphere { 0, 1 pigment { rgbt <1, 1, 1, .5> } finish { conserve_energy } }"), "");
     EXPECT_EQ(said("sphere { 0, 1 pigment { rgbt <1, 1, 1, .5> } " + keeps), "");
     EXPECT_EQ(said("sphere { 0, 1 finish { reflection x conserve_energy } }"), "");
-    const auto in_glass = [&](const std::string& reflection) {
-        return said("box { 0, 1 pigment { rgbt 1 } finish { reflection " + reflection +
+    const auto in_glass = [&](const std::string& reflection, const std::string& shape = "box { 0, 1 ") {
+        return said(shape + "pigment { rgbt 1 } finish { reflection " + reflection +
                     " conserve_energy } interior { ior 1.5 } }");
     };
     for (const char* const right : {"0.1", "{ 0, 1 fresnel }", "{ 0, 0.2 fresnel }"})
         EXPECT_EQ(in_glass(right), "") << right;
+    EXPECT_EQ(in_glass("0.9", "sphere { 0, 1 "), "") << "what enters a ball leaves it";
     for (const char* const other : {"0.9", "{ 0.05, 1 }", "{ 0, 0.9 fresnel }"})
         EXPECT_NE(in_glass(other).find("`conserve_energy` (with total reflection in an object)"),
                   std::string::npos)

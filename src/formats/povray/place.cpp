@@ -203,6 +203,7 @@ void SceneBuilder::place_shape(const Object& o, const Inherited& from) {
         own.uv_source = UvSource::sphere;
     }
     if (o.kind == ObjectKind::box || o.kind == ObjectKind::torus) own.uv_source = UvSource::unknown;
+    own.is_ball = o.kind == ObjectKind::sphere && is_whole && !own.in_solid && !own.clips;
     const std::uint32_t material = material_of(own, o.at);
     const Affine* map = own.map;
     const double factor = map ? similarity(*map) : 1;

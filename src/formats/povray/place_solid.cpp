@@ -39,9 +39,7 @@ std::string_view reason_against(const Object& object) {
             if (!object.mesh->textures.empty()) return "with textures of its faces in a solid";
             return closed_mesh(object.mesh) ? std::string_view() : "that is open, in a solid";
         default:
-            if (!object.lathe || solid_lathe(object)) return {};
-            return is_closed_lathe(*object.lathe) ? "with so many points, in a solid"
-                                                  : "that is open, in a solid";
+            return !object.lathe || solid_lathe(object) ? std::string_view() : object.lathe->reason;
     }
 }
 
@@ -124,12 +122,18 @@ void ObjectParser::check_operands(Object& solid) {
         const Object& part = *(*solid.parts)[i];
         spend(part.count);
         add_operand_errors(part, solid.missing);
+        spend(take_lathe_steps(part));
         // POV-Ray turns the part inside out, but not what cuts it.
         if (solid.operation != SolidOperation::difference || i == 0 || !has_clips(part)) continue;
         Missing clipped{"clipped_by", "of what is cut out", part.at};
         clipped.is_error = true;
         solid.missing.add(clipped);
     }
+    if (count_operands(solid) <= k_max_solid_operands) return;
+    Missing large{to_string(solid.operation), "of more than 4096 shapes, as those of curved lathes",
+                  solid.at};
+    large.is_error = true;
+    solid.missing.add(large);
 }
 
 // The shapes from `first` on become one.
@@ -225,17 +229,19 @@ void SceneBuilder::place_parts(const Object& object, const Inherited& own) {
                                 [](const Missing& missing) { return missing.is_error; }))
         return;
     Inherited parts = own;
-    // A sphere_sweep is one shape, which clips cut as a whole.
+    // A sphere_sweep or lathe is one shape, which clips cut as a whole.
     const bool is_cut_sweep = own.clips && !object.stands_for.empty();
     const bool shows_inside = is_cut_sweep || (!own.clips && may_be_clear(object, own.texture));
-    const bool merges = object.is_merge && shows_inside && encloses_space(object);
+    const bool merges = object.is_merge && shows_inside && encloses_space(object) &&
+                        count_operands(object) <= k_max_solid_operands;
     const bool makes_solid = is_solid || own.in_solid || merges;
     if (makes_solid) {
         parts.in_solid = true;
     } else if (object.is_merge) {
         parts.is_merge = true;
     }
-    if (is_solid) parts.clips.reset();
+    const bool is_cut_whole = is_solid || (merges && is_cut_sweep);
+    if (is_cut_whole) parts.clips.reset();
     const std::size_t first = scene_.shapes.size();
     bool is_empty = false;
     for (std::size_t i = 0; i < object.parts->size(); ++i) {
@@ -266,7 +272,7 @@ void SceneBuilder::place_parts(const Object& object, const Inherited& own) {
     const SolidOperation group = object.is_merge ? SolidOperation::merge : SolidOperation::unite;
     combine_from(first, is_solid ? object.operation : group, object.at);
     Inherited whole = own;
-    if (!is_solid) whole.clips.reset();
+    if (!is_cut_whole) whole.clips.reset();
     finish_operand(object, whole, first);
     if (!own.in_solid) note_solid(first, own);
 }

@@ -70,6 +70,7 @@ class SceneBuilder {
         bool in_solid = false;  // it is an operand
         bool is_cut_out = false;
         bool is_bounded = false;
+        bool is_ball = false;  // a whole sphere: light that enters one leaves it
         std::shared_ptr<const CountedVector<PlacedClip>> clips;
     };
 

@@ -22,7 +22,7 @@ ObjectPart part_of(const Token& at, ObjectKind kind, SolidOperation operation,
     }
     object.count = 0;
     for (const ObjectPart& part : parts) object.count += part->count;
-    object.depth = 2;
+    object.depth = kind == ObjectKind::group ? 3 : 2;
     object.parts = make_counted<CountedVector<ObjectPart>>(std::move(parts));
     return make_counted<const Object>(std::move(object));
 }
@@ -40,12 +40,30 @@ ObjectPart inside_of(const Token& at, FlatPoint low, FlatPoint high) {
     return make_counted<const Object>(std::move(object));
 }
 
-std::shared_ptr<const Object> merged(const Object& lathe) {
+// Whether all lines are closed or end on the axis.
+bool is_closed(const LatheLines& lines) {
+    const auto is_on_axis = [](FlatPoint p) { return number::abs(p.x) <= k_on_axis; };
+    for (const FlatLoop& loop : lines.loops) {
+        const bool is_loop = is_same_point(loop.front(), loop.back());
+        if (!is_loop && !(is_on_axis(loop.front()) && is_on_axis(loop.back()))) return false;
+    }
+    return !lines.loops.empty();
+}
+
+void find_solid(const Object& lathe) {
+    const LatheLines& lines = *lathe.lathe;
+    lines.is_known = true;
+    if (!is_closed(lines)) {
+        lines.reason = "that is open, in a solid";
+        return;
+    }
     CountedVector<FlatTrapezoid> trapezoids;
-    std::uint64_t steps = 0;
     constexpr std::uint64_t k_most = 10'000'000;
-    const auto spend = [&](std::uint64_t n) { return (steps += n) <= k_most; };
-    if (!fill_even_odd(lathe.lathe->loops, spend, trapezoids)) return nullptr;
+    const auto spend = [&](std::uint64_t n) { return (lines.steps += n) <= k_most; };
+    if (!fill_even_odd(lines.loops, spend, trapezoids)) {
+        lines.reason = "whose line crosses itself too often, in a solid";
+        return;
+    }
     CountedVector<ObjectPart> parts;
     for (const FlatTrapezoid& of : trapezoids) {
         const ObjectPart outer = inside_of(lathe.at, of.low_right, of.high_right),
@@ -54,8 +72,10 @@ std::shared_ptr<const Object> merged(const Object& lathe) {
         parts.push_back(
             inner ? part_of(lathe.at, ObjectKind::solid, SolidOperation::difference, {outer, inner}) : outer);
     }
-    if (parts.empty() || parts.size() > k_max_solid_operands / 2) return nullptr;
-    return part_of(lathe.at, ObjectKind::group, SolidOperation::unite, std::move(parts));
+    if (parts.empty())
+        lines.reason = "that encloses nothing, in a solid";
+    else
+        lines.solid = part_of(lathe.at, ObjectKind::group, SolidOperation::unite, std::move(parts));
 }
 
 }  // namespace
@@ -70,22 +90,25 @@ void add_lathe_line(const FlatLoop& line, LatheLines& lines) {
     loop.insert(loop.end(), line.begin() + (goes_on ? 1 : 0), line.end());
 }
 
-bool is_closed_lathe(const LatheLines& lines) {
-    const auto is_on_axis = [](FlatPoint p) { return number::abs(p.x) <= k_on_axis; };
-    for (const FlatLoop& loop : lines.loops) {
-        const bool is_closed = is_same_point(loop.front(), loop.back());
-        if (!is_closed && !(is_on_axis(loop.front()) && is_on_axis(loop.back()))) return false;
-    }
-    return !lines.loops.empty();
+std::shared_ptr<const Object> solid_lathe(const Object& lathe) {
+    if (!lathe.lathe->is_known) find_solid(lathe);
+    return lathe.lathe->solid;
 }
 
-std::shared_ptr<const Object> solid_lathe(const Object& lathe) {
-    const LatheLines& lines = *lathe.lathe;
-    if (!lines.is_known) {
-        lines.is_known = true;
-        if (is_closed_lathe(lines)) lines.solid = merged(lathe);
-    }
-    return lines.solid;
+std::uint64_t count_operands(const Object& object) {
+    if (object.lathe) return solid_lathe(object) ? solid_lathe(object)->count : 0;
+    if (object.kind != ObjectKind::group && object.kind != ObjectKind::solid) return 1;
+    std::uint64_t count = 0;
+    for (const ObjectPart& part : *object.parts) count += count_operands(*part);
+    return count;
+}
+
+std::uint64_t take_lathe_steps(const Object& object) {
+    if (object.lathe) return std::exchange(object.lathe->steps, 0);
+    if (object.kind != ObjectKind::group && object.kind != ObjectKind::solid) return 0;
+    std::uint64_t steps = 0;
+    for (const ObjectPart& part : *object.parts) steps += take_lathe_steps(*part);
+    return steps;
 }
 
 }  // namespace glint::povray
