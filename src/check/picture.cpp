@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
+#include <vector>
 
 #include "check/checks.h"
 #include "math/number.h"
@@ -221,7 +223,14 @@ double trusted_epsilon(const CheckContext& context, const VisibleHits& visible) 
     const Conventions& rules = context.scene().conventions;
     if (rules.offset == Offset::scale) return 1e-9;
     double magnitude = length(context.world().camera.position);
-    for (const SurfaceHit& h : visible.seen()) magnitude = number::max(magnitude, length(h.point));
+    std::vector<double> lengths;
+    for (const SurfaceHit& h : visible.seen()) lengths.push_back(length(h.point));
+    if (!lengths.empty()) {
+        // Of nine tenths of the hits: a plane ends at a horizon as far away as rounding puts it.
+        const auto far = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() * 9 / 10);
+        std::nth_element(lengths.begin(), far, lengths.end());
+        magnitude = number::max(magnitude, *far);
+    }
     // t of a shadow ray counts in distances of the light.
     return rules.offset == Offset::ray ? number::min(1e-8 * magnitude, 1e-4) : 1e-8 * magnitude;
 }

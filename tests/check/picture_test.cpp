@@ -118,6 +118,20 @@ TEST(CheckPicture, EpsilonTooSmall) {
         has(only_message(k_clean + "conventions { epsilon = 0 }\n"), "% of the picture is in shadow acne"));
 }
 
+// A row of pixels meets the plane where rounding puts it, 1e17 away.
+TEST(CheckPicture, TheHorizonOfAPlaneAsksForNoEpsilon) {
+    EXPECT_EQ(
+        ids_of("Begin_Scene\nResolution 160 120\n"
+               "Camera Zoom 1.5 Aspectratio 1 Antialiasing 0 Raydepth 6 Center 0 2 -8 Viewdir 0 -0.2 1 "
+               "Updir 0 1 0 End_Camera\nBackground 0.1 0.2 0.4\nLight Center 5 8 -10 Rad 0.1 Color 1 1 1\n"
+               "Plane Center 0 0 0 Normal 0 1 0 Texture Ambient 0.2 Diffuse 0.7 Specular 0 Opacity 1 "
+               "Color 0.8 0.4 0.2 TexFunc 0\n"
+               "Sphere Center 0 1 0 Rad 1 Texture Ambient 0.2 Diffuse 0.7 Specular 0 Opacity 1 "
+               "Color 0.2 0.4 0.8 TexFunc 0\nEnd_Scene\n",
+               "scene.dat"),
+        "");
+}
+
 TEST(CheckPicture, EpsilonTooLarge) {
     // A scene in millimetres, with an epsilon for one in metres.
     const std::string small = R"(camera { position = (0, 0.002, 0.008)  look_at = (0, 0.0005, 0)  fov_x = 50 }
