@@ -25,9 +25,8 @@ constexpr std::string_view k_limit_texts[] = {
     ("glint has its own noise for grit and marble (`TexFunc` 2 and 3), with another grain: the picture will "
      "differ"),
     "the rings of wood (`TexFunc` 4) are round here; in Tachyon they have waves of 3 units",
-    ("the highlight of this metal is white, and not in the colors of its pattern (`TexFunc`), because its "
-     "Phong, "
-     "Ambient or Diffuse is above 1: the picture will differ"),
+    ("highlights of metals whose Phong, Ambient or Diffuse is above 1 are white here, without the colors of "
+     "their patterns (`TexFunc`): the picture will differ"),
 };
 static_assert(std::size(k_limit_texts) == static_cast<std::size_t>(TachyonLimit::count));
 

@@ -86,7 +86,7 @@ TEST(TachyonTextures, HighlightsOfMetalHaveThePatternsColor) {
 TEST(TachyonTextures, ABrightHighlightOfMetalIsWarnedOf) {
     const auto warns = [](const std::string& phong, int function) {
         return messages_of(read("Sphere Center 0 0 0 Rad 1 " + body(function, phong)))
-                   .find("the highlight of this metal is white") != std::string::npos;
+                   .find("highlights of metals whose Phong") != std::string::npos;
     };
     EXPECT_TRUE(warns("Phong Metal 1.5 Phong_size 9", 1));
     EXPECT_FALSE(warns("Phong Metal 0.5 Phong_size 9", 1));
