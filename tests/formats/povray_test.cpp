@@ -445,6 +445,11 @@ TEST(PovRay, AreaLightsShineFromTheirCentre) {
     EXPECT_EQ(light.samples_v, 4);
     EXPECT_EQ(light.adaptive, 1);
     EXPECT_TRUE(light.jitter);
+    const auto adaptive = [](const std::string& items) {
+        return povray_scene("light_source { 0, 1 " + items + " }\nsphere { 0, 1 }").lights.at(1).adaptive;
+    };
+    EXPECT_EQ(adaptive("area_light x, y, 3, 3"), k_all_levels);
+    EXPECT_EQ(adaptive("adaptive 2 area_light x, y, 3, 3"), 2);
     EXPECT_FALSE(light.circular || light.oriented);
     EXPECT_EQ(scene.conventions.area_shading, AreaShading::center);
     for (const bool oriented : {false, true}) {

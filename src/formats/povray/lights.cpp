@@ -78,7 +78,6 @@ Object ObjectParser::read_light(const Token& word) {
                 source.light.samples_u = sample_count();
                 accept(',');
                 source.light.samples_v = sample_count();
-                source.light.adaptive = 0;
                 break;
             case Word::k_adaptive:
                 source.light.adaptive =
