@@ -107,6 +107,12 @@ TEST(PovrayImages, HaveUAndVOfMeshes) {
     EXPECT_EQ(corners(of_triangle)[2], (Float3{0.5f, 1, 0}));
     EXPECT_NE(messages(read_with_picture(mesh + "uv_indices { 1, <3, 2, 9> } " + uv)).find("4 uv_vectors"),
               std::string::npos);
+    // Wings3D writes an empty list, and the index 0 for each corner.
+    const std::string none =
+        "mesh2 { vertex_vectors { 3, 0, x, y } uv_vectors { 0 } face_indices { 1, <0, 1, 2> } ";
+    EXPECT_EQ(corners(scene_with_picture(none + "uv_indices { 1, <0, 0, 0> } " + uv))[0], (Float3{}));
+    EXPECT_NE(messages(read_with_picture(none + "uv_indices { 1, <0, 0, 5> } " + uv)).find("uv_vectors"),
+              std::string::npos);
 }
 
 TEST(PovrayImages, SayWhatIsNotRendered) {

@@ -132,10 +132,12 @@ Object ObjectParser::read_mesh2(const Token& word) {
     return object;
 }
 
-// Indices are in range. Without normal indices, a vertex has the normal of the same number.
+// Indices are in range. Without normal indices, a vertex has the normal of the same number. Without
+// uv_vectors, index 0 of them is valid (measured).
 void ObjectParser::check_mesh(const Token& at, ReadMesh& mesh, bool has_normal_indices) {
     if (!has_normal_indices && !mesh.normals.empty()) mesh.normal_corners = mesh.triangles;
     if (mesh.uv_corners.empty() && !mesh.uv.empty()) mesh.uv_corners = mesh.triangles;
+    if (!mesh.uv_corners.empty() && mesh.uv.empty()) mesh.uv.push_back({});
     const auto is_within = [](const CountedVector<TriangleCorners>& list, std::size_t triangle,
                               std::size_t end) {
         return !ReadMesh::has(list, triangle) ||
