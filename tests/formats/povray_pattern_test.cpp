@@ -118,6 +118,11 @@ TEST(PovrayPatterns, CheckersHaveTwoColors) {
     EXPECT_EQ(pattern_texture("checker color rgb x, color rgb 0.5 scale 2").color_map, two);
     EXPECT_EQ(pattern_texture("checker rgb x").color_map[1], usual[1]);
     EXPECT_EQ(pattern_texture("checker").filter, TextureFilter::nearest);
+    // Those that are missing after a pigment are the default one, not the pattern's own.
+    EXPECT_EQ(pattern_texture("checker pigment { rgb x }").color_map[1].color, (Color{0, 0, 0}));
+    EXPECT_EQ(pattern_texture("brick pigment { rgb x }").color_map[1].color, (Color{0, 0, 0}));
+    EXPECT_EQ(pattern_texture("hexagon pigment { rgb x } pigment { rgb y }").color_map[2].color,
+              (Color{0, 0, 0}));
 }
 
 TEST(PovrayPatterns, BricksAndHexagonsHaveSizesAndColors) {

@@ -33,6 +33,10 @@ CHECKER = "checker rgb <0.9, 0.2, 0.1> rgb <0.2, 0.3, 0.9>"
 RULES = [
     rule("checker", BALL % pigment(CHECKER, PLACE)),
     rule("checker_default", BALL % pigment("checker", PLACE)),
+    rule("checker_one_pigment", BALL % pigment("checker pigment { rgb <0.9, 0.2, 0.1> }", PLACE)),
+    rule("checker_one_texture", BALL % f"texture {{ checker texture {{ pigment {{ rgb <0.9, 0.2, 0.1> }} }} {PLACE} }}"),
+    rule("hexagon_default_pigment", f"#default {{ {pigment('rgb <1, 0, 1>')} }}\n" + BALL % pigment("hexagon pigment { rgb <0.9, 0.2, 0.1> }", "scale 0.3")),
+    rule("brick_one_pigment", BALL % pigment("brick pigment { rgb <0.9, 0.2, 0.1> }", "scale 0.06")),
     rule("checker_commas", BALL % pigment("checker color rgb <0.9, 0.2, 0.1>, color rgb 0.8", "scale 0.3")),
     rule("checker_names", "#declare A = rgb <0.9, 0.2, 0.1>; #declare B = color rgb 0.8;\n" + BALL % pigment("checker A B", "scale 0.3")),
     rule("checker_transmit", FLOOR + BALL % pigment("checker rgbt <0.9, 0.2, 0.1, 0.6> rgb 0.8", PLACE)),

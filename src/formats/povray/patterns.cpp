@@ -267,12 +267,17 @@ void TextureParser::draw_pattern(Pigment& pigment, PatternSource source, bool ar
     pigment.image_number = ++images_;
 }
 
-// The colors of a pattern that has some by itself, in place of these; whether one has a filter.
+// The colors of a pattern that has some by itself, in place of these; whether one has a filter. After a
+// pigment or a texture, those that are missing are the default one (measured).
 bool TextureParser::read_block_colors(glint::Texture& texture, PatternParts& parts) {
     texture.filter = TextureFilter::nearest;
     bool has_filter = false;
+    const bool are_pigments = peek().word() == Word::k_pigment;
     for (TextureColor& entry : texture.color_map) {
-        const std::optional<std::array<double, 5>> c = read_block_color(parts);
+        std::optional<std::array<double, 5>> c = read_block_color(parts);
+        const bool is_first = &entry == texture.color_map.data();
+        if (!c && !is_first && parts.are_textures) c = color_of(default_texture(), parts);
+        if (!c && are_pigments) c = color_of(default_texture().pigment, parts);
         if (failed() || !c) break;
         entry.color = rgb_of(*c);
         entry.alpha = opacity_of(*c);
