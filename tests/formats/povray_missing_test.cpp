@@ -77,13 +77,16 @@ TEST(PovRayMissing, JitterIsNamedWhereItIsSeen) {
         const std::string text = "light_source { <0, 40, 9>, 1 area_light " + light + " jitter }\n" + rest;
         return said(text).find("`jitter` (of an area light") != std::string::npos;
     };
-    EXPECT_TRUE(is_named("3*x, 3*z, 3, 3"));
-    EXPECT_FALSE(is_named("3*x, 3*z, 3, 3", "sphere { 0, 1 no_shadow }"));
-    EXPECT_FALSE(is_named("3*x, 3*z, 3, 3 shadowless"));
-    EXPECT_TRUE(is_named("0.8*x, 0.8*z, 3, 3"));
-    EXPECT_FALSE(is_named("0.75*x, 0.75*z, 3, 3")) << "39 is above 100 * 0.375";
-    EXPECT_TRUE(is_named("0.75*x, 0.75*z, 3, 3", "plane { y, 0 }"));
-    EXPECT_TRUE(is_named("0.6*x, 0.6*z, 3, 1", "sphere { 0, 30 }"));
+    EXPECT_TRUE(is_named("4*x, 4*z, 3, 3"));
+    EXPECT_FALSE(is_named("4*x, 4*z, 3, 3", "sphere { 0, 1 no_shadow }"));
+    EXPECT_FALSE(is_named("4*x, 4*z, 3, 3 shadowless"));
+    EXPECT_FALSE(is_named("0.8*x, 0.8*z, 3, 3")) << "the edges of shadows are narrow";
+    EXPECT_TRUE(is_named("0.8*x, 0.8*z, 3, 3", "plane { y, 0 }"));
+    EXPECT_TRUE(is_named("0.8*x, 0.8*z, 3, 3",
+                         "#for (I, 0, 9) #for (K, 0, 9) sphere { <I, 0, K>, 0.3 } sphere { <I, -1, K>, 0.3 } "
+                         "#end #end"))
+        << "there are many of them";
+    EXPECT_TRUE(is_named("0.6*x, 0.6*z, 3, 1", "sphere { 0, 40 }")) << "the light is within the box";
     EXPECT_FALSE(is_named("0.6*x, 9*z, 3, 1", "sphere { 0, 1 }")) << "a side with one sample has no length";
 }
 
