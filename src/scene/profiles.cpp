@@ -40,7 +40,7 @@ constexpr Profile k_profiles[] = {
      Handedness::right_unless_povray},
     {"povray",
      {.offset = Offset::direction,
-      .epsilon = 0.001,
+      .epsilon = 0.0001,
       .mirror = MirrorRule::add,
       .limit = LimitRule::drop,
       .transparent_epsilon = 0.0001,

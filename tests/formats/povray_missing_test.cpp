@@ -92,14 +92,14 @@ TEST(PovRayMissing, JitterIsNamedWhereItIsSeen) {
 
 TEST(PovRayMissing, TinyScenesAreNamed) {
     const std::string mirror = " finish { reflection .5 } }\nplane { y, -9 }";
-    EXPECT_NE(said("camera { location -1*z }\nsphere { 0, 0.02" + mirror)
-                  .find("2:1: warning: all shapes are within 0.04 units: POV-Ray's fixed tolerances change "
+    EXPECT_NE(said("camera { location -1*z }\nsphere { 0, 0.004" + mirror)
+                  .find("2:1: warning: all shapes are within 0.008 units: POV-Ray's fixed tolerances change "
                         "the mirrors"),
               std::string::npos);
     EXPECT_NE(said("sphere { 5, 0.001 }").find("change the shadows"), std::string::npos);
-    EXPECT_EQ(said("camera { location -1*z }\nsphere { 0, 0.03" + mirror), "");
-    EXPECT_EQ(said("camera { location -1*z }\nsphere { 0, 0.01 } sphere { 1, 0.01" + mirror), "");
-    EXPECT_EQ(said("camera { location -1*z }\nsphere { 0, 0.01 }\nplane { y, -9 }"), "");
+    EXPECT_EQ(said("camera { location -1*z }\nsphere { 0, 0.006" + mirror), "");
+    EXPECT_EQ(said("camera { location -1*z }\nsphere { 0, 0.001 } sphere { 1, 0.001" + mirror), "");
+    EXPECT_EQ(said("camera { location -1*z }\nsphere { 0, 0.003 }\nplane { y, -9 }"), "");
 }
 
 TEST(PovRayMissing, AHighBailoutOfReflectionsByTheAngle) {

@@ -149,6 +149,19 @@ RULES = [
     # The places of the samples hardly change their shadows.
     rule("jitter_far", "box { <-2, -1, -1>, <2, -0.8, 1> pigment { rgb <0.8, 0.7, 0.6> } }\nsphere { <0, 0.3, 0>, 0.7 " + SHINE + " }\n"
          "light_source { <-20, 30, -20>, rgb 1.2 area_light 0.58*x, 0.58*z, 3, 3 adaptive 1 jitter }\n", head="#version 3.6;\n" + CAMERA),
+    *[rule(f"area_{name}", FLOOR + f"sphere {{ <0, 0.3, 0>, 0.7 {SHINE} }}\nlight_source {{ <-3, 4, -2>, rgb 1 {items} }}\n", head="#version 3.6;\n" + CAMERA)
+      for name, items in (("every_sample", "area_light <3, 0, 0>, <0, 0, 3>, 5, 5"), ("adaptive_before", "adaptive 1 area_light <3, 0, 0>, <0, 0, 3>, 5, 5"))],
+    # Rays meet nothing within 0.0001.
+    rule("near_mirror", "plane { <1, 0, -1>, 0 pigment { rgb 0 } finish { reflection 1 } }\nplane { -x, -0.003 pigment { rgb <1, 0, 0> } "
+         "finish { ambient 1 diffuse 0 } }\nsphere { <-0.002, 0.0015, -0.03>, 0.0006 pigment { gradient y scale 0.002 translate 0.0001*y } finish { ambient 1 diffuse 0 } }\nbackground { rgb <0, 0, 1> }\n", head="#version 3.6;\ncamera { location <0, 0, -0.1> look_at 0 angle 6 }\n" + LIGHT),
+    rule("near_shadow", "plane { -z, 0 pigment { rgb 1 } finish { ambient 0 diffuse 1 } }\ntriangle { <0.003, -1, -1>, <0.003, 1, -1>, <0.003, 0, 2> "
+         "pigment { rgb <1, 0, 0> } finish { ambient 1 diffuse 0 } }\nsphere { <0.0019, 0.0006, -0.01>, 0.0003 pigment { gradient y scale 0.002 translate 0.0001*y } finish { ambient 1 diffuse 0 } }\n", head="#version 3.6;\ncamera { location <0.0025, 0, -0.1> look_at <0.0025, 0, 0> angle 2 }\n"
+         "light_source { <1000, 0, -1000>, rgb 1 }\n"),
+    rule("small_mirrors", "".join(f"sphere {{ <{x}, {y}, {z}>, 0.0024 pigment {{ rgb <0.9, 0.6, 0.3> }} finish {{ reflection 0.6 }} }}\n"
+         for x, y, z in ((-0.0024, 0, 0), (0.0028, 0.0008, 0), (0, 0.004, 0.0012))) + "background { rgb <0.2, 0.3, 0.6> }\n",
+         head="#version 3.6;\ncamera { location <0, 0.004, -0.016> look_at <0, 0.0016, 0> angle 50 }\n" + LIGHT),
+    rule("mesh_without_uv", "mesh2 { vertex_vectors { 3, <-1, -1, 0>, <0, 2, 0>, <1, -1, 0> } uv_vectors { 0 } texture_list { 1, texture { pigment { rgb x } } } "
+         "face_indices { 1, <0, 1, 2>, 0 } uv_indices { 1, <0, 0, 0> } }\n"),
     rule("jitter_without_shadows", "plane { y, -1 pigment { rgb <0.8, 0.7, 0.6> } no_shadow }\nsphere { <0, 0.3, 0>, 0.7 no_shadow " + SHINE + " }\n"
          "light_source { <-3, 4, -2>, rgb 1.2 area_light 2*x, 2*z, 3, 3 jitter }\n"
          "light_source { <3, 4, -2>, rgb 0.4 area_light 2*x, 2*z, 3, 3 jitter shadowless }\n", head="#version 3.6;\n" + CAMERA),

@@ -141,7 +141,7 @@ TEST(Profiles, AgreeWithTheSources) {
           {"transparent_shadow_epsilon", "0.001"},
           {"limit", "drop"},
           {"offset", "direction"},
-          {"epsilon", "0.001"},
+          {"epsilon", "0.0001"},
           {"facing", "all"},
           {"specular_gate", "true"},
           {"shading", "blinn-phong"},
