@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "base/sort_stably.h"
@@ -15,6 +16,9 @@ namespace {
 // Among causes within this fraction of the difference the simplest, which is the first in the table, is named
 // first. Among exact ones, they leave the same but for the rounding of a few bytes: this mean, in 255ths.
 constexpr double k_tie = 0.003, k_exact_tie = 0.01;
+// An exact cause is no better than another if it gives fewer wrong pixels by no more than these and this
+// fraction of them.
+constexpr double k_same_wrong = 2, k_same_wrong_part = 0.1;
 // The fraction of the whole difference that each further fitted number must explain.
 constexpr double k_parameter = 0.012;
 // A flexible candidate is dropped if another one explains this much.
@@ -63,6 +67,19 @@ std::vector<CauseCandidate> explaining(const Search& search, bool calm) {
             std::erase_if(list, [&](const CauseCandidate& c) { return c.freedom > freedom; });
     }
     return list;
+}
+
+// Which exact causes, of those that are in the list, give the picture best; all if that is not known.
+std::function<bool(const CauseCandidate&)> best_of_exact(const std::vector<CauseCandidate>& list) {
+    double least = HUGE_VAL;
+    for (const CauseCandidate& c : list) {
+        if (!c.is_exact) continue;
+        if (!c.wrong) return [](const CauseCandidate& candidate) { return candidate.is_exact; };
+        least = std::min(least, static_cast<double>(*c.wrong));
+    }
+    return [most = least + k_same_wrong + k_same_wrong_part * least](const CauseCandidate& candidate) {
+        return candidate.is_exact && static_cast<double>(*candidate.wrong) <= most;
+    };
 }
 
 }  // namespace
@@ -117,13 +134,14 @@ void Search::confirm(const BytePicture& made, const PictureView& numbers, const 
     if (!explains_it) return check_view();
     const double least = std::min(k_structure_left * static_cast<double>(structure),
                                   2 + k_structure_of_picture * static_cast<double>(made.rgb.size() / 3));
-    candidate.is_exact =
-        !candidate.is_vague && static_cast<double>(structured_pixels(made, *target, area)) <= least &&
-        !has_blobs(made, *target, area) &&
-        (original == nullptr ||
-         agrees_where_changed(made, {numbers, rule, is_near ? k_near_numbers : k_other_program}, *target,
-                              *original, area, !explains_all));
-    if (!candidate.is_exact) check_view();
+    const NumbersOfBytes of_bytes{numbers, rule, is_near ? k_near_numbers : k_other_program};
+    candidate.is_exact = !candidate.is_vague &&
+                         static_cast<double>(structured_pixels(made, *target, area)) <= least &&
+                         !has_blobs(made, *target, area) &&
+                         (original == nullptr ||
+                          agrees_where_changed(made, of_bytes, *target, *original, area, !explains_all));
+    if (!candidate.is_exact) return check_view();
+    if (original != nullptr) candidate.wrong = wrong_pixels(made, of_bytes, *target, area);
 }
 
 void Search::add(const BytePicture& made, CauseCandidate candidate) {
@@ -163,14 +181,16 @@ std::vector<CauseCandidate> ranked(const Search& search, bool& away_from_edges) 
     while (!found.empty()) {
         const bool is_exact =
             std::any_of(found.begin(), found.end(), [](const CauseCandidate& c) { return c.is_exact; });
+        const auto is_best_exact = best_of_exact(found);
+        const auto may_be_first = [&](const CauseCandidate& c) { return !is_exact || is_best_exact(c); };
         double least = HUGE_VAL;
         for (const CauseCandidate& c : found) {
-            if (c.is_exact == is_exact) least = std::min(least, rate(c));
+            if (may_be_first(c)) least = std::min(least, rate(c));
         }
         const double tie = is_exact ? std::min(k_tie * whole, k_exact_tie) : k_tie * whole;
         const double limit = least + (least > 0 ? tie : 0);
         const auto best = std::find_if(found.begin(), found.end(), [&](const CauseCandidate& c) {
-            return c.is_exact == is_exact && rate(c) <= limit;
+            return may_be_first(c) && rate(c) <= limit;
         });
         list.push_back(*best);
         std::erase_if(found, [&](const CauseCandidate& c) { return c.cause.name == list.back().cause.name; });

@@ -27,7 +27,9 @@ struct CauseCandidate {
     int parameters = 0;         ///< numbers that are fitted to the picture
     bool is_confirmed = false;  ///< judged by all pixels
     bool is_exact = false;      ///< the difference that it leaves has no structure
-    bool is_vague = false;      ///< FittedCause::is_vague, of `values`
+    /// If it is exact and the scene gives the reference: the pixels that it does not give, wrong_pixels().
+    std::optional<std::size_t> wrong = {};
+    bool is_vague = false;  ///< FittedCause::is_vague, of `values`
     /// Whether its numbers are only near the right ones: not those that are fitted to bytes.
     bool is_near() const { return parameters > 0 && !(fitted && fitted->fits_bytes); }
     /// Of a scene: its place in scene_causes(); the largest number if it is none of these.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <numeric>
 #include <vector>
 
 #include "image/quantize.h"
@@ -109,6 +110,20 @@ bool may_be(const NumbersOfBytes& of, std::int32_t x, std::int32_t y, const std:
     return true;
 }
 
+bool is_shaded(const BytePicture& made, const BytePicture& target, std::int32_t x, std::int32_t y) {
+    return !is_flat(made, x, y) || !is_flat(target, x, y);
+}
+
+// Whether a pixel's bytes in `target` are no roundings of the numbers.
+bool is_wrong(const BytePicture& made, const NumbersOfBytes& of, const BytePicture& target, std::int32_t x,
+              std::int32_t y) {
+    const std::uint8_t* wanted = target.pixel(x, y);
+    const int off = largest_difference(made.pixel(x, y), wanted);
+    if (off == 0) return false;
+    if (is_shaded(made, target, x, y)) return !may_be(of, x, y, wanted);
+    return off > k_rounding;
+}
+
 // Whether `wanted` is on the way back to `original`, where `made` has no edge, and no other sample of it.
 bool is_overdone(const BytePicture& made, const BytePicture& wanted, const BytePicture& original,
                  std::int32_t x, std::int32_t y) {
@@ -130,9 +145,7 @@ std::size_t structured_pixels(const BytePicture& made, const BytePicture& target
                 counts[static_cast<std::size_t>(y)] += is_structured(made, target, x, y);
         }
     });
-    std::size_t sum = 0;
-    for (const std::size_t count : counts) sum += count;
-    return sum;
+    return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
 bool has_blobs(const BytePicture& made, const BytePicture& target, const Area& area) {
@@ -158,6 +171,17 @@ bool has_blobs(const BytePicture& made, const BytePicture& target, const Area& a
     Count all;
     for (const Count& row : counts) all.off += row.off, all.middle += row.middle;
     return static_cast<double>(all.middle) > k_blobs_left * static_cast<double>(all.off);
+}
+
+std::size_t wrong_pixels(const BytePicture& made, const NumbersOfBytes& numbers, const BytePicture& target,
+                         const Area& area) {
+    std::vector<std::size_t> counts(static_cast<std::size_t>(made.height));
+    for_each_row(area.rows, area.threads, [&](std::int32_t y) {
+        if (y < 1 || y >= made.height - 1) return;
+        for (std::int32_t x = 1; x < made.width - 1; ++x)
+            counts[static_cast<std::size_t>(y)] += is_wrong(made, numbers, target, x, y);
+    });
+    return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
 bool agrees_where_changed(const BytePicture& made, const NumbersOfBytes& numbers, const BytePicture& target,
@@ -188,15 +212,14 @@ bool agrees_where_changed(const BytePicture& made, const NumbersOfBytes& numbers
             const int change = largest_difference(is, original.pixel(x, y));
             count.changed += change > k_rounding;
             count.overdone += is_overdone(made, target, original, x, y);
-            const bool is_edge = edges[x] != 0 || has_step(made, x, y) || has_step(target, x, y),
-                       is_shaded = !is_flat(made, x, y) || !is_flat(target, x, y);
-            count.shaded += is_shaded && !is_edge && change > k_rounding;
+            const bool is_edge = edges[x] != 0 || has_step(made, x, y) || has_step(target, x, y);
+            count.shaded += !is_edge && change > k_rounding && is_shaded(made, target, x, y);
             const int off = largest_difference(is, wanted);
             Tally& tally = (is_edge ? count.edges : count.calm)[change > 0];
-            const bool is_wrong = is_shaded ? off > 0 && !may_be(numbers, x, y, wanted) : off > k_rounding;
+            const bool wrong = is_wrong(made, numbers, target, x, y);
             ++tally.pixels;
-            tally.off += is_wrong;
-            tally.by_one += is_wrong && off == k_rounding;
+            tally.off += wrong;
+            tally.by_one += wrong && off == k_rounding;
             if (is_edge && off > k_rounding)
                 count.beyond_samples += !is_between_neighbours(made, x, y, wanted);
         }

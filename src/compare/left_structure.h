@@ -29,6 +29,10 @@ std::size_t structured_pixels(const BytePicture& made, const BytePicture& target
 /// Whether the difference, at edges or not, has the form of blobs.
 bool has_blobs(const BytePicture& made, const BytePicture& target, const Area& area);
 
+/// The pixels whose bytes in `target` are no roundings of `numbers`.
+std::size_t wrong_pixels(const BytePicture& made, const NumbersOfBytes& numbers, const BytePicture& target,
+                         const Area& area);
+
 /// Whether `made` is `target` nearly wherever it is not `original`: a wrong cause can be near everywhere and
 /// right nowhere. `target` has other bytes than roundings of `numbers` no more often there than where the
 /// cause changes nothing. `but_at_edges`: much of the difference is left, at edges.

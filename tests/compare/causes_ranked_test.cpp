@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which of several causes that explain a picture is named.
+#include "compare/cause_ranking.h"
 #include "compare/small_scene.h"
 
 namespace glint::test {
@@ -19,6 +20,31 @@ TEST(CausesRanked, TheExactCauseThatLeavesLess) {
     const CauseReport report = report_of(half, text);
     EXPECT_EQ(first_cause(report), "light-intensity") << all_causes(report);
     EXPECT_FALSE(report.causes[0].perhaps);
+}
+
+// Of exact causes, pixels that are wrong count before the number of fitted ones, but for one or two.
+TEST(CausesRanked, TheExactCauseThatGivesThePixels) {
+    const auto first_of = [](std::size_t wrong_of_simple, std::size_t wrong_of_fitted) {
+        Search search;
+        search.whole = {1, 1};
+        CauseCandidate simple, fitted;
+        simple.cause.name = "simple";
+        simple.left = {0.007, 0.007};
+        simple.wrong = wrong_of_simple;
+        fitted.cause.name = "fitted";
+        fitted.left = {0.004, 0.004};
+        fitted.wrong = wrong_of_fitted;
+        fitted.parameters = 1;
+        simple.is_exact = fitted.is_exact = true;
+        search.found = {simple, fitted};
+        bool away_from_edges = false;
+        return ranked(search, away_from_edges).front().cause.name;
+    };
+    EXPECT_EQ(first_of(1, 0), "simple");
+    EXPECT_EQ(first_of(12, 0), "fitted");
+    EXPECT_EQ(first_of(0, 12), "simple");
+    // Where many are wrong, as with another program's samples, a few more say nothing.
+    EXPECT_EQ(first_of(205, 200), "simple");
 }
 
 // Without highlights both are the same: the first in the table is named.
