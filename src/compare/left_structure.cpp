@@ -28,6 +28,9 @@ constexpr double k_as_elsewhere = 2;
 // If edges are left, at least this fraction of what is changed is shaded: many causes give the one color of a
 // floor.
 constexpr double k_shaded = 0.1;
+// Of the pixels that an exact cause changes, at most this fraction is wrong, and off edges at most this
+// fraction by more than rounding: a small highlight has few pixels.
+constexpr double k_changed_wrong = 0.01;
 // Unless the programs sample differently, an exact cause changes no pixel too much by more than this, in
 // 255ths, where it leaves no edge: an exponent that is far too large leaves a dot of each highlight.
 constexpr int k_overdone = 4;
@@ -191,6 +194,7 @@ bool agrees_where_changed(const BytePicture& made, const NumbersOfBytes& numbers
         void operator+=(const Tally& other) {
             pixels += other.pixels, off += other.off, by_one += other.by_one;
         }
+        std::size_t by_more() const { return off - by_one; }
     };
     struct Count {
         std::size_t changed = 0, shaded = 0, overdone = 0, beyond_samples = 0;
@@ -231,17 +235,22 @@ bool agrees_where_changed(const BytePicture& made, const NumbersOfBytes& numbers
         return t.pixels > 0 ? static_cast<double>(t.off) / static_cast<double>(t.pixels) : 0;
     };
     const auto part = [](double of, std::size_t pixels) { return of * static_cast<double>(pixels); };
-    const double few = 2 + part(k_structure_of_picture, made.rgb.size() / 3);
+    const double few_of_picture = part(k_structure_of_picture, made.rgb.size() / 3),
+                 few_of_changed = part(k_changed_wrong, all.changed);
     const bool has_other_edges = rate(all.edges[0]) > k_same_sampling;
     if (!has_other_edges && all.overdone > 0) return false;
     const bool is_other_sampling = has_other_edges || all.edges[0].pixels == 0;
-    const auto are_few = [&](std::size_t off, double more) { return static_cast<double>(off) <= few + more; };
+    const auto are_few = [&](std::size_t off, double more) {
+        return static_cast<double>(off) <= 2 + std::min(few_of_picture, few_of_changed) + more;
+    };
     const double at_edges = part(k_changed_off, all.changed);
     const bool agrees =
         is_other_sampling
             ? are_few(all.beyond_samples, at_edges) &&
                   are_few(all.calm[1].off, part(k_as_elsewhere * rate(all.calm[0]), all.calm[1].pixels))
-            : are_few(all.calm[0].off + all.edges[0].off, 0) && are_few(all.calm[1].off, 0) &&
+            : static_cast<double>(all.calm[0].off + all.edges[0].off) <= 2 + few_of_picture &&
+                  are_few(all.calm[1].off, 0) &&
+                  static_cast<double>(all.calm[1].by_more()) <= few_of_changed &&
                   are_few(all.edges[1].off, at_edges) &&
                   // Where edges are elsewhere, more pixels are off by more.
                   are_few(2 * all.edges[1].by_one, static_cast<double>(all.edges[1].off));

@@ -128,6 +128,36 @@ TEST(LeftStructure, ADotThatIsLeftIsNoRounding) {
     }
 }
 
+// In a picture that is large, a cause that changes a small spot has to be right in the spot.
+TEST(LeftStructure, ASmallSpotOfALargePictureIsRight) {
+    constexpr Size size{400, 300};
+    const GreyAt original_at = [](int x, int y) {
+        return 40 + std::abs(x % 100 - 50) + y / 4 + (y > size.height - 8 ? 60 : 0);
+    };
+    const auto in_spot = [](int x, int y) { return x >= 30 && x < 50 && y >= 40 && y < 60; };
+    const GreyAt made_at = [&](int x, int y) { return original_at(x, y) + (in_spot(x, y) ? 20 : 0); };
+    const BytePicture made = drawn(size, made_at), original = drawn(size, original_at);
+    const std::vector<std::uint8_t> edges = edges_of(original, 1);
+    const Area area{&edges, all_rows(size.height), 1, 1};
+    const ByteRule rule;
+    // Of the 400 pixels, so many in a diagonal are off by so much.
+    const auto agrees_with = [&](int count, int off, bool in_the_spot) {
+        const int left = in_the_spot ? 32 : 200;
+        const BytePicture target = drawn(size, [&](int x, int y) {
+            return made_at(x, y) + (x - left == y - 42 && x >= left && x < left + count ? off : 0);
+        });
+        EXPECT_EQ(wrong_pixels(made, {view_of(made), rule}, target, area), static_cast<std::size_t>(count));
+        return agrees_where_changed(made, {view_of(made), rule}, target, original, area, false);
+    };
+    EXPECT_TRUE(agrees_with(6, 1, true));
+    EXPECT_FALSE(agrees_with(7, 1, true));
+    EXPECT_TRUE(agrees_with(4, 3, true));
+    EXPECT_FALSE(agrees_with(5, 3, true));
+    // Elsewhere, the picture's size counts.
+    EXPECT_TRUE(agrees_with(13, 1, false));
+    EXPECT_FALSE(agrees_with(15, 1, false));
+}
+
 // It changes no pixel by more than rounding, so that nothing else can be asked of it.
 TEST(LeftStructure, TruncationAgrees) {
     for (const Size size : k_sizes) {
