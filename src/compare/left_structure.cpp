@@ -31,6 +31,9 @@ constexpr double k_shaded = 0.1;
 // Of the pixels that an exact cause changes, at most this fraction is wrong, and off edges at most this
 // fraction by more than rounding: a small highlight has few pixels.
 constexpr double k_changed_wrong = 0.01;
+// Areas of one color say little about a cause: a number there is the same everywhere, and may be near a tie
+// by chance. It may be this many times as far from the right one.
+constexpr double k_flat_tolerance = 5;
 // Unless the programs sample differently, an exact cause changes no pixel too much by more than this, in
 // 255ths, where it leaves no edge: an exponent that is far too large leaves a dot of each highlight.
 constexpr int k_overdone = 4;
@@ -97,14 +100,15 @@ bool is_between_neighbours(const BytePicture& picture, std::int32_t x, std::int3
 }
 
 // Whether the numbers of a pixel may have become these bytes.
-bool may_be(const NumbersOfBytes& of, std::int32_t x, std::int32_t y, const std::uint8_t* wanted) {
+bool may_be(const NumbersOfBytes& of, double tolerance, std::int32_t x, std::int32_t y,
+            const std::uint8_t* wanted) {
     float buffer[3], moved[3];
     const float* values =
         of.numbers.values(3 * (static_cast<std::size_t>(y) * of.numbers.width + x), 3, buffer);
     for (const int side : {-1, 1}) {
         std::uint8_t bytes[3];
         for (int c = 0; c < 3; ++c)
-            moved[c] = static_cast<float>(static_cast<double>(values[c]) + side * of.tolerance / 255);
+            moved[c] = static_cast<float>(static_cast<double>(values[c]) + side * tolerance / 255);
         quantize_row(moved, 3, 8, of.rule, bytes);
         for (int c = 0; c < 3; ++c) {
             if (side * (int{bytes[c]} - int{wanted[c]}) < 0) return false;
@@ -117,14 +121,16 @@ bool is_shaded(const BytePicture& made, const BytePicture& target, std::int32_t 
     return !is_flat(made, x, y) || !is_flat(target, x, y);
 }
 
-// Whether a pixel's bytes in `target` are no roundings of the numbers.
+// Whether a pixel's bytes in `target` are no roundings of the numbers. Of a tie in an area of one color,
+// bytes do not tell where the number is.
 bool is_wrong(const BytePicture& made, const NumbersOfBytes& of, const BytePicture& target, std::int32_t x,
               std::int32_t y) {
     const std::uint8_t* wanted = target.pixel(x, y);
     const int off = largest_difference(made.pixel(x, y), wanted);
     if (off == 0) return false;
-    if (is_shaded(made, target, x, y)) return !may_be(of, x, y, wanted);
-    return off > k_rounding;
+    if (is_shaded(made, target, x, y)) return !may_be(of, of.tolerance, x, y, wanted);
+    return off > k_rounding ||
+           (of.numbers.has_floats() && !may_be(of, k_flat_tolerance * of.tolerance, x, y, wanted));
 }
 
 // Whether `wanted` is on the way back to `original`, where `made` has no edge, and no other sample of it.

@@ -180,6 +180,27 @@ TEST(LeftStructure, ATieOfOneColorIsRounding) {
     }
 }
 
+// If the numbers are known, they tell whether there is a tie.
+TEST(LeftStructure, OneColorIsATieIfItsNumberIsNearOne) {
+    for (const Size size : k_sizes) {
+        const BytePicture made = drawn(size, [](int, int) { return 127; }),
+                          target = drawn(size, [](int, int) { return 128; }),
+                          original = drawn(size, [](int x, int y) { return original_at(x, y) / 4; });
+        const std::vector<std::uint8_t> edges = edges_of(original, 1);
+        const auto agrees_if = [&](double number) {
+            const Image image{size.width, size.height,
+                              std::vector<float>(made.rgb.size(), static_cast<float>(number / 255))};
+            const PictureView numbers = image;
+            const ByteRule rule;
+            return agrees_where_changed(made, {numbers, rule}, target, original,
+                                        {&edges, all_rows(size.height), 1, 1}, false);
+        };
+        EXPECT_TRUE(agrees_if(127.42));
+        EXPECT_FALSE(agrees_if(127.3));
+        EXPECT_FALSE(agrees_if(127));
+    }
+}
+
 TEST(FactorSearch, TheFactorOfMostBytes) {
     for (const double factor : {1.2, 0.85}) {
         std::vector<WantedValue> values;
