@@ -121,6 +121,13 @@ CauseCandidate SceneSearch::scaled_candidate(std::size_t i, double factor, bool 
     return candidate;
 }
 
+std::optional<std::size_t> SceneSearch::row_of(const std::string& name) const {
+    for (std::size_t i = 0; i < size(); ++i) {
+        if (causes_[i].name == name) return i;
+    }
+    return std::nullopt;
+}
+
 std::optional<std::size_t> SceneSearch::cause_with_limit(const std::string& name) const {
     for (std::size_t i = 0; i < size(); ++i) {
         if (causes_[i].limit == name) return i;

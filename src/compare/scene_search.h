@@ -31,6 +31,8 @@ class SceneSearch {
     CauseCandidate candidate(std::size_t i) const;
     /// The same with a factor, of a cause that has one: SceneCause::scale or scale_part.
     CauseCandidate scaled_candidate(std::size_t i, double factor, bool about) const;
+    /// The first cause of this name.
+    std::optional<std::size_t> row_of(const std::string& name) const;
     /// The cause that has this one as its limit (SceneCause::limit); nothing if there is none.
     std::optional<std::size_t> cause_with_limit(const std::string& name) const;
 

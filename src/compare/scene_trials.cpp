@@ -10,6 +10,7 @@
 #include "base/sort_stably.h"
 #include "compare/geometry_search.h"
 #include "compare/item_texts.h"
+#include "compare/left_structure.h"
 #include "compare/missing_shapes.h"
 
 namespace glint {
@@ -29,7 +30,10 @@ constexpr double k_worth_judging = 0.5;
 // Bytes of each pixel before causes are tried on all of them, at least.
 constexpr std::size_t k_before_trials = 40;
 // Factors whose picture may be that of a term that is missing: from where the search for factors ends.
-constexpr double k_least_limit = 16, k_most_limit = 4096, k_limit_step = 1.414213562373095;
+constexpr double k_least_limit = 8, k_most_limit = 4096, k_limit_step = 1.414213562373095;
+// Another cause gives the picture without the term if it differs from that in at most this fraction of the
+// pixels that it changes.
+constexpr double k_limit_pixels = 0.02;
 constexpr std::size_t k_named_shapes = 3;
 constexpr double k_said_share = 0.1;
 
@@ -41,6 +45,17 @@ bool is_worth_judging(const CauseCandidate& c, const Distance& whole) {
 // What remains of all pixels' difference if it is the same fraction as of the grid's.
 double estimate(double left, double whole_of_grid, double whole) {
     return whole_of_grid > 0 ? left / whole_of_grid * whole : whole;
+}
+
+double pixels_beyond_rounding(const BytePicture& a, const BytePicture& b) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.rgb.size(); i += 3) {
+        const auto is_beyond = [&](std::size_t c) {
+            return std::abs(int{a.rgb[i + c]} - int{b.rgb[i + c]}) > k_rounding;
+        };
+        count += is_beyond(0) || is_beyond(1) || is_beyond(2);
+    }
+    return static_cast<double>(count);
 }
 
 }  // namespace
@@ -182,33 +197,53 @@ void SceneTrials::confirm(GridSearch& small) const {
         if (!made) continue;
         whole.confirm(made->bytes, made->image, renderer_.rule(renderer_.scene().shading), candidate,
                       candidate.is_near());
-        std::optional<CauseCandidate> rival = judge_limit(whole, made->bytes, candidate);
+        std::optional<CauseCandidate> rival = judge_limit(whole, *made, candidate);
         whole.add(made->bytes, std::move(candidate));
         if (rival) whole.add(made->bytes, *std::move(rival));
     }
     whole.report.tried = tried;
 }
 
+// Is this the picture that ever larger factors of cause `row` approach, but for a few pixels?
+bool SceneTrials::is_limit(const BytePicture& made, std::size_t row) const {
+    const std::optional<std::size_t> limit = search_->row_of(search_->cause(row).limit);
+    if (!limit) return false;
+    const auto picture = render_candidate(renderer_, search_->candidate(*limit), renderer_.scene(),
+                                          {grid_.width, grid_.height, 1});
+    return picture && pixels_beyond_rounding(picture->bytes, made) <=
+                          k_limit_pixels * pixels_beyond_rounding(rendered_->bytes, made);
+}
+
 // A term that is missing, and a factor that leaves hardly anything of it, look the same but for a few pixels.
 // If a factor gives these, the term is not missing. If there are none, the factor from which on the pictures
 // are the same is a cause, too.
-std::optional<CauseCandidate> SceneTrials::judge_limit(const Search& whole, const BytePicture& made,
-                                                       CauseCandidate& missing) const {
-    const std::optional<std::size_t> row = search_->cause_with_limit(missing.cause.name);
-    if (!missing.is_exact || !row) return std::nullopt;
-    const std::size_t off = beyond_rounding(made, *whole.target);
+std::optional<CauseCandidate> SceneTrials::judge_limit(const Search& whole, const RenderedScene& made,
+                                                       CauseCandidate& candidate) const {
+    if (!candidate.is_exact) return std::nullopt;
+    std::size_t row = 0;
+    while (row < search_->size() && search_->cause(row).limit.empty()) ++row;
+    if (row == search_->size() || search_->cause(row).name == candidate.cause.name ||
+        !is_limit(made.bytes, row))
+        return std::nullopt;
+    const auto wrong = [&](const RenderedScene& scene) {
+        return wrong_pixels(scene.bytes, {scene.image, renderer_.rule(renderer_.scene().shading)},
+                            *whole.target, whole.area);
+    };
+    const std::size_t off = beyond_rounding(made.bytes, *whole.target), wrong_of_it = wrong(made);
     for (double factor = k_least_limit; factor <= k_most_limit && !is_cancelled(); factor *= k_limit_step) {
-        CauseCandidate rival = search_->scaled_candidate(*row, factor, true);
+        CauseCandidate rival = search_->scaled_candidate(row, factor, true);
         const auto with =
             render_candidate(renderer_, rival, renderer_.scene(), {grid_.width, grid_.height, 1});
         if (!with) return std::nullopt;
-        if (beyond_rounding(with->bytes, *whole.target) < off) {
-            missing.is_exact = false;
+        const std::size_t wrong_of_rival = wrong(*with);
+        if (beyond_rounding(with->bytes, *whole.target) < off || wrong_of_rival + 1 < wrong_of_it) {
+            candidate.is_exact = false;
             return std::nullopt;
         }
-        if (beyond_rounding(with->bytes, made) > 0) continue;
-        rival.cause.explanation = search_->cause(*row).limit_text(factor);
-        rival.left = missing.left;
+        if (wrong_of_rival > wrong_of_it + 1 || beyond_rounding(with->bytes, made.bytes) > 0) continue;
+        rival.cause.explanation = search_->cause(row).limit_text(factor);
+        rival.left = candidate.left;
+        rival.wrong = candidate.wrong;
         rival.is_confirmed = rival.is_exact = true;
         return rival;
     }

@@ -54,8 +54,9 @@ class SceneTrials {
     void try_geometry(const PixelGrid& grid, const RenderedScene& rendered, GridSearch& search) const;
     void try_forms(const PixelGrid& grid, GridSearch& search) const;
     void confirm(GridSearch& search) const;
-    std::optional<CauseCandidate> judge_limit(const Search& whole, const BytePicture& made,
-                                              CauseCandidate& missing) const;
+    bool is_limit(const BytePicture& made, std::size_t row) const;
+    std::optional<CauseCandidate> judge_limit(const Search& whole, const RenderedScene& made,
+                                              CauseCandidate& candidate) const;
 
     const BytePicture& reference_;
     const std::vector<std::uint8_t>& edges_;

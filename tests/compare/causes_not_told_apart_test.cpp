@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mistakes that no cause makes, or that the pixels do not tell from a cause: none of them is sure, or all
 // are.
+#include <algorithm>
+#include <tuple>
+
 #include "compare/planted_faults.h"
 #include "compare/small_tracer.h"
 
@@ -87,6 +90,60 @@ TEST(CausesNotToldApart, HighlightsSmallerThanAPixel) {
             wrong.balls[i].specular = 0.05 * scene.balls[i].specular;
         EXPECT_TRUE(is_sure(causes_of(scene, wrong), "specular-scaled"));
     }
+}
+
+// Other causes that leave next to no highlights are no better than the missing term. The highlight is so
+// small that the pixels that are wrong are few.
+TEST(CausesNotToldApart, CausesThatLeaveHardlyAnyHighlights) {
+    const auto text_of = [](double ball, double specular, double shininess, const std::string& size) {
+        const auto n = [](double x) { return std::to_string(x); };
+        return R"(
+background = (0.4, 0.5, 0.6)
+camera { position = (-0.8, 2.4, 6.5)  look_at = (0.1, 0.7, 0)  fov_x = 52 }
+light { type = ambient  intensity = 0.3 }
+light { type = directional  to_light = (1, 2, 1.2)  intensity = 0.5 }
+plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.5, 0.5, 0.45)  diffuse = 0.7  specular = 0 }
+sphere { center = (-1.4, 0.8, 0.1)  radius = 0.8  color = (0.7, 0.4, 0.5)  diffuse = 0.7  specular = 0 }
+sphere { center = (0.1, )" +
+               n(ball) + ", 1.7)  radius = " + n(ball) +
+               "  color = (0.5, 0.5, 0.7)  diffuse = 0.6  specular = " + n(specular) +
+               "  shininess = " + n(shininess) + " }\nrender { size = " + size + "  shading = phong }\n";
+    };
+    for (const auto& [ball, specular, shininess, factor, size] :
+         {std::tuple{0.2, 0.2, 30.0, 60.0, "320 x 240"}, {0.3, 0.2, 30.0, 100.0, "480 x 360"}}) {
+        const std::string right = text_of(ball, specular, shininess, size);
+        const Scene scene = read_scene(right);
+        const CauseReport report = *find_causes(draw_text(text_of(ball, specular, factor * shininess, size)),
+                                                draw_text(right), &scene);
+        for (const Cause& c : report.causes)
+            EXPECT_TRUE(c.perhaps || c.name == "exponent") << all_causes(report);
+    }
+}
+
+// A highlight so dim that an exponent of 9 times as much makes it vanish in rounding.
+TEST(CausesNotToldApart, ADimHighlightVanishesEarly) {
+    const auto text_of = [](const std::string& shininess) {
+        return R"(
+background = (0.11, 0.12, 0.13)
+camera { position = (-0.8, 2.4, 6.5)  look_at = (0.1, 0.7, 0)  fov_x = 52 }
+light { type = ambient  intensity = 0.3 }
+light { type = directional  to_light = (1, 2, 1.2)  intensity = 0.5 }
+plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.5, 0.5, 0.45)  diffuse = 0.7  specular = 0 }
+cylinder { from = (0.8, 0, 1.3)  to = (0.8, 0.18, 1.3)  radius = 0.06
+    ambient_color = (0.5, 0.5, 0.7)  diffuse_color = (0.3, 0.3, 0.42)
+    specular_color = (0.3, 0.35, 0.25)  shininess = )" +
+               shininess + " }\nrender { size = 320 x 240  shading = blinn-phong }\n";
+    };
+    const Scene scene = read_scene(text_of("12"));
+    const CauseReport report = *find_causes(draw_text(text_of("108")), draw_text(text_of("12")), &scene);
+    const auto exponent = std::find_if(report.causes.begin(), report.causes.end(),
+                                       [](const Cause& c) { return c.name == "exponent"; });
+    ASSERT_NE(exponent, report.causes.end()) << all_causes(report);
+    EXPECT_NE(exponent->explanation.find(
+                  " 8 times what it should be, or more: highlights are too small or too dim"),
+              std::string::npos)
+        << all_causes(report);
+    EXPECT_FALSE(exponent->perhaps);
 }
 
 }  // namespace
