@@ -109,6 +109,28 @@ const std::vector<PictureCause>& picture_causes() {
          "The reference has a gamma of 1/2.2 and the picture does not (or it was decoded once too often): "
          "apply it once, at the end.",
          k_curved, power(2.2), 0, false, false, power(1 / 2.2)},
+        {"gamma-applied",
+         "A gamma of 1/{} was applied once more than in the reference: omit it (or, if the reference has it, "
+         "apply it only once, at the end).",
+         k_min_fit,
+         to_a_power(true),
+         0,
+         false,
+         false,
+         {},
+         false,
+         1},
+        {"gamma-missing",
+         "The reference has a gamma of 1/{} and the picture does not (or it was decoded once too often): "
+         "apply it once, at the end.",
+         k_min_fit,
+         to_a_power(false),
+         0,
+         false,
+         false,
+         {},
+         false,
+         1},
         {"gamma-twice",
          "The sRGB curve was applied two times more than in the reference: omit it (or, if the reference has "
          "it, apply it only once, at the end).",

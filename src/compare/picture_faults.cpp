@@ -22,6 +22,8 @@ using Detail = std::optional<std::string>;
 constexpr int k_factor_rounds = 5;
 // Of a picture whose colors are truncated: this fraction of the pixels may be something else, at edges.
 constexpr double k_mixed_pixels = 0.05;
+// A fitted curve gives all channels that change but this fraction: many others would be as near.
+constexpr double k_others_of_curve = 0.1;
 
 // Every channel value of the reference as the byte change(value).
 template <class Change> void change_values(const PictureSource& s, BytePicture& made, Change&& change) {
@@ -44,6 +46,35 @@ template <class Change> void change_values(const PictureSource& s, BytePicture& 
             for (std::size_t i = 0; i < count; ++i) made.rgb[first + i] = change(values[i]);
         }
     });
+}
+
+// How often each byte of the reference, times 256, plus that of the faulty picture occurs.
+using ByteChanges = std::vector<std::size_t>;
+ByteChanges changes_of(const PictureSource& s) {
+    ByteChanges changes(std::size_t{1} << 16);
+    for (const std::int32_t y : s.fit.rows) {
+        const std::size_t first = 3 * static_cast<std::size_t>(y) * s.bytes.width;
+        for (std::size_t i = first; i < first + 3 * static_cast<std::size_t>(s.bytes.width); ++i)
+            ++changes[256 * std::size_t{s.bytes.rgb[i]} + s.faulty.rgb[i]];
+    }
+    return changes;
+}
+
+// In tenths, the gamma that leaves least of these changes.
+double nearest_gamma(const ByteChanges& changes, bool encodes) {
+    double best = 0, least = HUGE_VAL;
+    for (int tenths = 12; tenths <= 30; ++tenths) {
+        const double gamma = tenths / 10.0, power = encodes ? 1 / gamma : gamma;
+        double left = 0;
+        for (std::size_t was = 0; was < 256; ++was) {
+            const double value = 255 * pow(static_cast<double>(was) / 255, power);
+            for (std::size_t is = 0; is < 256; ++is)
+                left +=
+                    static_cast<double>(changes[256 * was + is]) * std::fabs(value - static_cast<double>(is));
+        }
+        if (left < least) least = left, best = gamma;
+    }
+    return best;
 }
 
 // A pair of colors: of the reference, of the faulty picture. As one number, which sorts fast.
@@ -195,6 +226,26 @@ PictureFault curved(std::function<double(double)> curve) {
     return [bytes = ByteCurve(std::move(curve))](const PictureSource& s, BytePicture& made) -> Detail {
         change_values(s, made, [&](float value) { return bytes(static_cast<double>(value)); });
         return "";
+    };
+}
+
+PictureFault to_a_power(bool encodes) {
+    return [encodes](const PictureSource& s, BytePicture& made) -> Detail {
+        const ByteChanges changes = changes_of(s);
+        const double gamma = nearest_gamma(changes, encodes), power = encodes ? 1 / gamma : gamma;
+        const ByteCurve curve([power](double v) { return pow(v, power); });
+        change_values(s, made, [&](float value) { return curve(static_cast<double>(value)); });
+        std::size_t all = 0, others = 0;
+        for (const std::int32_t y : s.rows) {
+            const std::size_t first = 3 * static_cast<std::size_t>(y) * made.width;
+            for (std::size_t i = first; i < first + 3 * static_cast<std::size_t>(made.width); ++i) {
+                if (s.faulty.rgb[i] == s.bytes.rgb[i] && made.rgb[i] == s.bytes.rgb[i]) continue;
+                ++all;
+                others += std::abs(int{made.rgb[i]} - int{s.faulty.rgb[i]}) > k_noise;
+            }
+        }
+        if (static_cast<double>(others) > k_others_of_curve * static_cast<double>(all)) return std::nullopt;
+        return fmt::format("{:.1f}", gamma);
     };
 }
 

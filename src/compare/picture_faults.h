@@ -58,6 +58,9 @@ PictureFault grey(double red, double green, double blue);
 PictureFault channels_left(bool red, bool green, bool blue);
 /// Each channel value, clamped to 0 to 1, through a monotonic curve.
 PictureFault curved(std::function<double(double)> curve);
+/// To a fitted power, 1 / gamma if `encodes`, else gamma, which is 1.2 to 3 in tenths. Only if that gives
+/// nearly all of the picture to explain.
+PictureFault to_a_power(bool encodes);
 /// All values times a fitted factor.
 PictureFault scaled();
 /// A fitted number is added to all values.

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <functional>
 #include <iostream>
+#include <tuple>
 
 #include "compare/planted_faults.h"
 
@@ -192,6 +193,26 @@ TEST(CausesInPictures, GammaOfTheReference) {
         const Image drawn = draw(read_scene(scene.text)), once = encoded(drawn);
         EXPECT_EQ(first_cause(find_causes(as_file(drawn), once)), "gamma-missing") << scene.name;
         EXPECT_EQ(first_cause(find_causes(encoded(once), once)), "gamma-applied") << scene.name;
+    }
+}
+
+TEST(CausesInPictures, AnyGammaOfATenth) {
+    for (const TestScene& scene : scenes_to_test()) {
+        const Scene read = read_scene(scene.text);
+        const Image drawn = draw(read), right = as_file(drawn);
+        for (const auto& [power, name, number] : {std::tuple{1 / 1.8, "gamma-applied", "1/1.8"},
+                                                  {1 / 1.5, "gamma-applied", "1/1.5"},
+                                                  {2.0, "gamma-missing", "1/2.0"}}) {
+            const Image faulty =
+                as_file(curved(drawn, [power = power](double v) { return std::pow(v, power); }));
+            for (const Scene* with : {static_cast<const Scene*>(nullptr), &read}) {
+                const auto report = find_causes(faulty, right, with);
+                ASSERT_EQ(first_cause(report), name) << scene.name << power << all_causes(report);
+                EXPECT_NE(report->causes[0].explanation.find(number), std::string::npos)
+                    << all_causes(report);
+                EXPECT_FALSE(with != nullptr && report->causes[0].perhaps) << scene.name << power;
+            }
+        }
     }
 }
 
