@@ -28,9 +28,8 @@ std::string exponent_text(double factor, bool about) {
 }
 std::string vanished_text(double factor) {
     return fmt::format(
-        "The specular exponent is {:.0f} times what it should be, or more: highlights are too small or too "
-        "dim "
-        "to be seen.",
+        "The specular exponent is {:.0f} times what it should be, or more: highlights are too small or "
+        "too dim to be seen.",
         factor);
 }
 std::string other_model_text(double factor, bool about) {
