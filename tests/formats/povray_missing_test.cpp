@@ -86,6 +86,10 @@ TEST(PovRayMissing, JitterIsNamedWhereItIsSeen) {
                          "#for (I, 0, 9) #for (K, 0, 9) sphere { <I, 0, K>, 0.3 } sphere { <I, -1, K>, 0.3 } "
                          "#end #end"))
         << "there are many of them";
+    EXPECT_FALSE(is_named("0.1*x, 0.1*z, 3, 3", "difference { sphere { 0, 1 } plane { x, 0 } }"));
+    EXPECT_FALSE(is_named("0.1*x, 0.1*z, 3, 3", "intersection { plane { x, 0 } sphere { 0, 1 } }"));
+    EXPECT_TRUE(is_named("0.1*x, 0.1*z, 3, 3", "union { difference { plane { y, 0 } sphere { 0, 1 } } }"))
+        << "a plane has no end";
     EXPECT_TRUE(is_named("0.6*x, 0.6*z, 3, 1", "sphere { 0, 40 }")) << "the light is within the box";
     EXPECT_FALSE(is_named("0.6*x, 9*z, 3, 1", "sphere { 0, 1 }")) << "a side with one sample has no length";
 }

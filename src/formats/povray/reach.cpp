@@ -2,7 +2,10 @@
 #include "formats/povray/reach.h"
 
 #include <algorithm>
+#include <vector>
 
+#include "glint/solid.h"
+#include "math/number.h"
 #include "math/quadric_bounds.h"
 #include "math/transform.h"
 
@@ -13,6 +16,42 @@ namespace {
 double disc_reach(Vec3 axis, double r, Vec3 d) {
     const Vec3 n = normalize(axis);
     return r * length(d - n * dot(d, n));
+}
+
+// An upper bound: what an operand cuts off from another one counts, too.
+std::optional<double> solid_reach(const Scene& scene, const SolidTree& tree, Vec3 d) {
+    std::vector<std::optional<double>> open;  // without a number: endless
+    auto operand = tree.operands.begin();
+    for (const SolidStep& step : tree.steps) {
+        if (step.operation == SolidOperation::operand) {
+            open.push_back(reach(scene, *operand++, d));
+            continue;
+        }
+        const auto first = open.end() - step.count;
+        std::optional<double> whole = *first;
+        switch (step.operation) {
+            case SolidOperation::merge:
+            case SolidOperation::unite:
+                for (auto part = first; part != open.end(); ++part)
+                    whole = whole && *part ? std::optional(number::max(*whole, **part)) : std::nullopt;
+                break;
+            case SolidOperation::intersection:
+                for (auto part = first; part != open.end(); ++part) {
+                    if (*part) whole = whole ? number::min(*whole, **part) : **part;
+                }
+                break;
+            case SolidOperation::inverse:
+                whole = std::nullopt;
+                break;
+            case SolidOperation::difference:
+            case SolidOperation::clip:
+            case SolidOperation::operand:
+                break;
+        }
+        open.erase(first, open.end());
+        open.push_back(whole);
+    }
+    return open.empty() ? std::nullopt : open.back();
 }
 
 // The greatest d·p of the points p of a shape without transform; nothing if there is none.
@@ -66,15 +105,8 @@ std::optional<double> own_reach(const Scene& scene, const Shape& shape, Vec3 d) 
                 most = std::max(most, dot(d, scene.polygon_vertices[p.first + i]));
             return most;
         }
-        case ShapeKind::solid: {  // at most that of all operands
-            double most = -1e300;
-            for (const Shape& operand : operands_of(scene, shape)) {
-                const auto far = reach(scene, operand, d);
-                if (!far) return std::nullopt;
-                most = std::max(most, *far);
-            }
-            return most;
-        }
+        case ShapeKind::solid:
+            return solid_reach(scene, scene.solids[scene.get<Solid>()[shape.index].solid], d);
         case ShapeKind::quadric: {
             Vec3 lo, hi;
             quadric_bounds(scene.get<Quadric>()[shape.index], lo, hi);
@@ -128,6 +160,11 @@ double ReachBox::size() const {
 }
 
 std::uint64_t reach_steps(const Scene& scene, const Shape& shape) {
+    if (shape.kind == ShapeKind::solid) {
+        std::uint64_t steps = 1;
+        for (const Shape& operand : operands_of(scene, shape)) steps += reach_steps(scene, operand);
+        return steps;
+    }
     if (shape.kind != ShapeKind::mesh) return 1;
     return 1 + scene.meshes[scene.get<Mesh>()[shape.index].mesh]->vertex_count();
 }
