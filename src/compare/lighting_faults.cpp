@@ -198,8 +198,8 @@ constexpr SceneFault k_lighting[] = {
      "Vectors do not have unit length, V neither: normalise L, V, R (or H) before computing dot products."},
     {"back-sides-lit", [](const Scene& s) { return is_lit(s) && s.conventions.clamp_cosines; },
      [](Scene& s) { s.conventions.clamp_cosines = false; },
-     "Light from behind a surface makes it darker: N.L is negative there and is added all the same. Use "
-     "max(0, N.L) and max(0, R.V)."},
+     "Light from behind a surface counts: N.L is negative there and makes it darker, and R.V may be "
+     "negative, which an even exponent turns into a highlight. Use max(0, N.L) and max(0, R.V)."},
     {"highlight-behind", [](const Scene& s) { return has_highlights(s) && s.conventions.specular_gate; },
      [](Scene& s) { s.conventions.specular_gate = false; },
      "Highlights appear on sides that face away from the light: add the specular term only where N.L > 0."},
