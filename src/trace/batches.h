@@ -300,6 +300,14 @@ struct SteppedRays {
         number[k] = i;
         ++count;
     }
+    /// Leaves out this part of t at the beginning of the last ray, or at its end.
+    void leave_out(double part, bool at_end) {
+        const auto k = static_cast<std::size_t>(count - 1);
+        if (at_end)
+            t_max[k] -= part;
+        else
+            t_min[k] += part;
+    }
     HitColumns hits() { return {t.data(), slot.data(), element.data()}; }
     SurfaceId surface(int i) const {
         return {slot[static_cast<std::size_t>(i)], element[static_cast<std::size_t>(i)]};

@@ -36,16 +36,23 @@ GLINT_SMALL void fade_light(const WorldParts& world, ShadowRayBatch& rays, int r
 
 /// Computes the factors of the light of shadow rays that are not occluded: the product over the transparent
 /// surfaces on the way, in the order of t. Surfaces at equal t count once, the first in the scene; those
-/// within Conventions::transparent_shadow_epsilon behind it do not count. Where materials fade, each factor
-/// is followed by what the object leaves.
+/// within Conventions::transparent_shadow_epsilon behind it, or of the surface that is lit, do not count.
+/// Where materials fade, each factor is followed by what the object leaves.
 GLINT_SMALL void filter_light(const WorldParts& world, ShadowRayBatch& rays, SteppedRays& steps,
                               TileRecord* record) {
     for (auto& column : rays.filter) std::fill_n(column.begin(), rays.count, 1.0);
     steps.count = 0;
     const RaySpan span = rays.span();
     const bool fades = world.uses<&Material::fade_distance>();
+    const double gap = world.conventions.transparent_shadow_epsilon;
+    const double start_gap = gap - world.conventions.epsilon;  // the rays begin at epsilon
     for (int i = 0; i < rays.count; ++i) {
-        if (rays.occluded[static_cast<std::size_t>(i)] == 0) steps.add(span, i, span.t_min[i]);
+        if (rays.occluded[static_cast<std::size_t>(i)] == 0) {
+            steps.add(span, i, span.t_min[i]);
+            if (start_gap > 0)
+                steps.leave_out(start_gap / glint::length(steps.direction_of(steps.count - 1)),
+                                rays.from_light);
+        }
         if (fades)
             steps.passed[static_cast<std::size_t>(i)] = {}, steps.t_passed[static_cast<std::size_t>(i)] = 0;
     }
@@ -85,7 +92,6 @@ GLINT_SMALL void filter_light(const WorldParts& world, ShadowRayBatch& rays, Ste
                     continue;
                 }
             }
-            const double gap = world.conventions.transparent_shadow_epsilon;
             steps.go_on(k, left++, gap > 0 ? gap / glint::length(steps.direction_of(k)) : 0);
         }
         steps.count = left;
