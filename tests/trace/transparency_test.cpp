@@ -195,6 +195,27 @@ TEST(Transparency, SheetsThatCoincideColorLightOnce) {
     }
 }
 
+// A sheet in front of a wall, seen through it: within the epsilon, it does not color the light.
+TEST(Transparency, SheetsOnTheLitPointColorNoLight) {
+    for (const double gap : {0.0005, 0.002}) {
+        for (const bool is_point : {false, true}) {
+            Scene scene;
+            set_size(scene, 1, 1);
+            scene.add(Plane{{0, 0, -1 + gap}, {0, 0, 1}}, add_material(scene, sheet({0, 0, 0}, 0, 0.5)));
+            Material wall;
+            wall.ambient = wall.specular = {0, 0, 0};
+            wall.diffuse = {1, 1, 1};
+            scene.add(Plane{{0, 0, -1}, {0, 0, 1}}, add_material(scene, wall));
+            scene.lights = {is_point ? point_light({0, 0, 9}, {1, 1, 1})
+                                     : directional_light({0, 0, 2}, {1, 1, 1})};
+            const auto seen = [&] { return static_cast<float>(render_scene(scene).pixel(0, 0).r); };
+            EXPECT_FLOAT_EQ(seen(), 0.25f);
+            scene.conventions.transparent_shadow_epsilon = 0.001;
+            EXPECT_FLOAT_EQ(seen(), gap < 0.001 ? 0.5f : 0.25f);
+        }
+    }
+}
+
 TEST(Transparency, AlphaFollowsStraightRays) {
     Scene scene;
     set_size(scene, 1, 1);
