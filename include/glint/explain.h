@@ -26,7 +26,7 @@ struct ShadowFilter {
     std::uint32_t shape = k_none;  ///< in Scene::shapes
     double distance = 0;           ///< from the shaded point
     Vec3 point;
-    Color factor;  ///< transmit + filter * color
+    Color factor;  ///< transmit + filter * color; with Material::caustics, times 1 + |N.L|^caustics
     /// Where the way to the light leaves an object that fades it: what is left (Material::fade_distance).
     Color fade{1, 1, 1};
 };

@@ -255,6 +255,7 @@ class Material:
         fade_distance: float = ...,
         fade_power: float = ...,
         fade_color: ColorLike = ...,
+        caustics: float = ...,
     ) -> None: ...
     name: str
     color: _ColorField
@@ -292,6 +293,7 @@ class Material:
     fade_distance: float
     fade_power: float
     fade_color: _ColorField
+    caustics: float
     def __eq__(self, other: object) -> bool: ...
     def __copy__(self) -> Material: ...
     def __deepcopy__(self, memo: Dict[Any, Any]) -> Material: ...

@@ -120,7 +120,7 @@ void check_transparency(CheckContext& context, std::uint32_t index, bool solid) 
     }
     // Opacity by the angle hides what is behind the edges.
     if (!m.is_transparent() || m.hollow || m.refracts || m.angled_opacity || m.fade_distance > 0 ||
-        scene.conventions.transparency == Transparency::add)
+        m.caustics > 0 || scene.conventions.transparency == Transparency::add)
         return;
     const double kept = m.transmit + m.filter * number::min(1.0, least(m.color));
     const bool shines = brightest(m.specular) > 0 || brightest(m.phong) > 0;
@@ -177,6 +177,8 @@ void check_finish(CheckContext& context, std::uint32_t index) {
     if (m.fade_distance > 0 && context.scene().profile == "glint" && !m.is_transparent() &&
         m.texture == k_none)
         report("`fade_distance`", "neither filter nor transmit", "give it a transmit, such as 0.9");
+    if (m.caustics > 0 && context.scene().profile == "glint" && !m.is_transparent() && m.texture == k_none)
+        report("`caustics`", "neither filter nor transmit", "give it a transmit, such as 0.9");
     if (m.mirror_min > 0 && !m.has_angled_mirror())
         report("`mirror_min`", "mirror_falloff is 0", "give it a mirror_falloff, such as 1");
 }

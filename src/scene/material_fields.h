@@ -113,6 +113,9 @@ inline constexpr ItemField<Material> k_material_fields[] = {
      "the power of the distance over fade_distance; from 1000 on the light falls exponentially"},
     {"fade_color", "fade_color", "fade color", color_field(&Material::fade_color, k_tint, ColorUse::surface),
      "what is left of white light after a long way"},
+    {"caustics", "caustics", "caustics", number_field(&Material::caustics, k_not_negative),
+     "above 0: the shadow's light that filter and transmit let through is times 1 + cos^caustics, of its "
+     "angle to the normal"},
 };
 
 /// A key of .glint that gives a field as a factor of the color.

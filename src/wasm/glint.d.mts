@@ -372,6 +372,8 @@ export interface MaterialValues {
     fade_power: number;
     /** what is left of white light after a long way */
     fade_color: Vec3;
+    /** above 0: the shadow's light that filter and transmit let through is times 1 + cos^caustics, of its angle to the normal */
+    caustics: number;
 }
 
 export interface RayTerms {

@@ -73,6 +73,10 @@ double fog_along(FogLine, double, double) {
     leave_out();
     return 0;
 }
+double caustics_at(const WorldParts&, SurfaceId, Vec3, Vec3) {
+    leave_out();
+    return 1;
+}
 Color fade_at(const WorldParts&, SurfaceId, Vec3, Vec3, double) {
     leave_out();
     return {1, 1, 1};

@@ -47,7 +47,7 @@ TEST(CheckMaterials, FinishesWithoutEffect) {
           "mirror = 0.1  mirror_fresnel = true  ior = 1.5  mirror_falloff = 1",
           "mirror = 0.1  mirror_min = 0.1", "transmit = 0.5  conserve_energy = true",
           "transmit = 0.5  fade_color = (1, 0, 0)", "transmit = 0.5  fade_power = 2", "fade_distance = 2",
-          "mirror = 0.1  conserve_energy = true"})
+          "caustics = 9", "mirror = 0.1  conserve_energy = true"})
         EXPECT_EQ(ids_of(k_clean + ball + std::string(unused) + " }\n"), "finish-unused@7") << unused;
     for (const std::string_view used :
          {"metallic = 1  specular = 0.1", "metallic = 1  phong_color = (0.1, 0.1, 0.1)", "brilliance = 2",
@@ -56,7 +56,7 @@ TEST(CheckMaterials, FinishesWithoutEffect) {
           "mirror_min = 0.1  mirror_fresnel = true  ior = 1.5",
           "mirror = 0.1  transmit = 0.5  conserve_energy = true",
           "transmit = 0.5  fade_distance = 1  fade_power = 2  fade_color = (1, 0, 0)",
-          "transmit = 0.5  angled_opacity = true"})
+          "transmit = 0.5  caustics = 9", "transmit = 0.5  angled_opacity = true"})
         EXPECT_EQ(ids_of(k_clean + ball + std::string(used) + " }\n"), "") << used;
 }
 

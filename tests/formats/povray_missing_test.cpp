@@ -47,13 +47,33 @@ TEST(PovRayMissing, PartsOfAnInteriorAreNamedIfItCanBeSeenInto) {
               std::string::npos);
     EXPECT_EQ(said("intersection { " + balls + "3*x, 1 } } " + half), "");
     EXPECT_EQ(said("difference { box { -9, 9 } " + balls + "x, 1 } }" + faded), "");
-    EXPECT_NE(said(before + "caustics 1 } }").find("`caustics`"), std::string::npos);
+    EXPECT_EQ(said(before + "caustics 1 } }"), "");
+    EXPECT_NE(said(before + "caustics -1 } }").find("`caustics` (below 0)"), std::string::npos);
+    EXPECT_NE(said("sphere { 0, 1 texture { pigment { rgbt .5 } } texture { pigment { rgbt .5 } } interior { "
+                   "caustics 1 } }")
+                  .find("`caustics` (of layered textures)"),
+              std::string::npos);
     EXPECT_NE(said(before + "ior 1.2 dispersion 1.1 } }").find("`dispersion`"), std::string::npos);
     const std::string named =
         "#declare I = interior { media { absorption 1 } }\nsphere { 0, 1 pigment { rgbt .5 } "
         "material { interior { I } } }";
     EXPECT_NE(said(named).find("`media`"), std::string::npos);
     EXPECT_EQ(said("sphere { 0, 1 pigment { rgb 1 } interior { media { emission 1 } ior 1.5 } }"), "");
+}
+
+TEST(PovRayMissing, CausticsAreAPowerOfTheCosine) {
+    const auto caustics = [](const std::string& items) {
+        return povray_scene("sphere { 0, 1 pigment { rgbt 1 } " + items + " }").materials.at(0).caustics;
+    };
+    EXPECT_EQ(caustics("interior { ior 1.5 }"), 0);
+    EXPECT_EQ(caustics("interior { caustics 0.2 }"), 9);
+    EXPECT_EQ(caustics("interior { caustics 1e12 }"), 1e12);
+    EXPECT_EQ(caustics("interior { caustics 2 } interior { ior 1.2 }"), 90);
+    const Scene two = povray_scene(
+        "#declare I = interior { ior 1.5 caustics 2 }\nsphere { 0, 1 pigment { rgbt 1 } interior { I } }\n"
+        "sphere { 3, 1 pigment { rgbt 1 } interior { ior 1.5 } }\n");
+    EXPECT_EQ(two.materials.at(0).caustics, 90);
+    EXPECT_EQ(two.materials.at(two.shapes.at(1).material).caustics, 0);
 }
 
 TEST(PovRayMissing, AMaterialAddsToTheInteriorBeforeIt) {

@@ -208,6 +208,7 @@ class RandomScene {
         if (pick(4) == 0) m.conserve_energy = true;
         if (pick(4) == 0) m.fade_distance = length(), m.fade_power = 1e9 * fraction();
         if (pick(4) == 0) m.fade_color = {fraction(), fraction(), 1};
+        if (pick(4) == 0) m.caustics = length();
         if (pick(4) == 0) m.interior = static_cast<std::int32_t>(pick(1000)) + 1;
         if (pick(3) == 0) {
             m.transmission = 0;

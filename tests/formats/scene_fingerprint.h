@@ -78,7 +78,7 @@ class SceneFingerprint {
         add(m.tinted_highlight), add(m.mirror_falloff), add(m.mirror_min), add(m.mirror_metallic);
         add(m.mirror_fresnel), add(m.conserve_energy);
         add(m.filter), add(m.transmit), add(m.outline), add(m.outline_width), add(m.angled_opacity);
-        add(m.fade_distance), add(m.fade_power), add(m.fade_color);
+        add(m.fade_distance), add(m.fade_power), add(m.fade_color), add(m.caustics);
         add(m.hollow), add(m.one_sided), add(m.refracts), add(static_cast<double>(m.interior));
     }
     void add(const Affine& map) {

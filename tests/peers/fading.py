@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Light that is lost in transparent objects: fade_distance, fade_power and fade_color of an interior."""
+"""Light that is lost in transparent objects, and made brighter: fade_distance, fade_power, fade_color and caustics of an interior."""
 from pov import CAMERA, LIGHT, rule
 from refraction import BALL, BOX, HEAD, ROOM, SHAPES
 
@@ -12,6 +12,10 @@ def fading(name, objects, head=HEAD):
 
 def clear(fade=AMBER, pigment="rgbf 1", finish="ambient 0 diffuse 0"):
     return f"pigment {{ {pigment} }} finish {{ {finish} }} interior {{ {fade} }} "
+
+
+def caustics(name, objects):
+    return rule("caustics_" + name, ROOM + objects, head=HEAD + CAMERA + LIGHT)
 
 
 GLASS = clear("ior 1.4 " + AMBER)
@@ -46,5 +50,16 @@ RULES = [
     fading("nested", BALL + GLASS + "} sphere { <0.1, 1, 0>, 0.5 " + clear("ior 1.1 fade_distance 0.3 fade_power 2") + "}"),
     fading("overlapping", "sphere { <-0.3, 1, 0>, 0.7 " + GLASS + "} sphere { <0.4, 1, 0>, 0.6 " + clear() + "}"),
     fading("camera_inside", "sphere { <0, 1.5, -5>, 2.2 " + clear("fade_distance 3 fade_power 1") + "}"),
+    *[caustics(f"sphere_{c}".replace(".", "_"), BALL + clear(f"ior 1.5 caustics {c}", "rgbf <0.5, 0.8, 0.6, 0.7>") + "}") for c in (0, 0.001, 0.02, 0.1, 0.5, 1, 3)],
+    caustics("without_ior", BALL + clear("caustics 0.1", "rgbt <0.5, 0.8, 0.6, 0.4>") + "}"),
+    caustics("box", BOX + clear("ior 1.3 caustics 0.05", "rgbft <0.5, 0.8, 0.6, 0.3, 0.3>") + "rotate 30*y }"),
+    caustics("scaled", BALL + clear("caustics 0.04", "rgbf <0.5, 0.8, 0.6, 0.7>") + "scale <1, 0.5, 1.4> rotate 20*z }"),
+    caustics("fading", BALL + clear("ior 1.4 caustics 0.04 " + AMBER, "rgbf <0.9, 0.9, 0.9, 0.9>") + "}"),
+    caustics("inside", "sphere { <0, 0.5, 0>, 1.2 " + clear("caustics 0.04", "rgbf 0.7") + "} sphere { <0, 0.5, 0>, 0.5 pigment { rgb <0.3, 0.5, 0.9> } }"),
+    caustics("two", BALL + clear("caustics 0.04", "rgbf 0.8") + "} " + "disc { <0.5, 2.4, -1>, <0.3, 1, -0.2>, 1 " + clear("caustics 0.1", "rgbf <1, 0.7, 0.4, 0.8>") + "}"),
+    caustics("smooth_mesh", "mesh { " + " ".join(
+        f"smooth_triangle {{ <{x}, 1.2, 0.8>, <0, 1, 0.3>, <{x + 0.9}, 1.4, 0.7>, <0.3, 1, 0.3>, <{x + 0.4}, 1.1, -0.7>, <0.1, 1, -0.4> }}" for x in (-1, -0.1)) + " "
+        + clear("caustics 0.2", "rgbf <0.8, 0.9, 1, 0.8>") + "}"),
+    caustics("picture", BALL + "pigment { checker rgbt <1, 1, 1, 0.7> rgbt <1, 0.3, 0.2, 0.5> scale 0.3 } finish { ambient 0 diffuse 0.2 } interior { ior 1.2 caustics 0.05 } }"),
     fading("in_fog", "fog { distance 12 rgb <0.7, 0.8, 0.9> } " + BALL + GLASS + "}"),
 ]

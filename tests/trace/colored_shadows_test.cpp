@@ -69,6 +69,60 @@ TEST(ColoredShadows, SurfacesAtEqualTCountOnce) {
     EXPECT_EQ(floor_color(scene), (Color{0.25, 0.25, 0.25}));
 }
 
+// With a power of 2, the factor is 1 + cos^2.
+TEST(ColoredShadows, CausticsMakeLightBrighterThatComesAlongTheNormal) {
+    Material red = sheet({1, 0.5, 0.25}, 0.25, 0.125), clear = sheet({0, 0, 0}, 0, 0.5);
+    red.caustics = 2;
+    EXPECT_EQ(floor_color(floor_below({red})), (Color{0.75, 0.5, 0.375}));
+    EXPECT_EQ(floor_color(floor_below({red, clear})), (Color{0.375, 0.25, 0.1875}));
+    EXPECT_EQ(floor_color(floor_below({red, red})), (Color{0.5625, 0.25, 0.140625}));
+    // A tilted pane, with its normal up or down.
+    for (const double side : {1.0, -1.0}) {
+        Scene scene = floor_below({});
+        scene.add(Plane{{0, 1, 0}, Vec3{0.6, 0.8, 0} * side}, add_material(scene, red));
+        EXPECT_NEAR(floor_color(scene).r, 0.375 * 1.64, 1e-7);
+        scene.lights = {point_light({0, 50, 0})};
+        EXPECT_NEAR(floor_color(scene).r, 0.375 * 1.64, 1e-4)
+            << "the shadow ray's direction has another length";
+    }
+    // A sphere, 0.6 of its radius beside the centre: two surfaces with the cosine 0.8.
+    Scene scene = floor_below({});
+    clear.caustics = 3;
+    scene.add(Sphere{{0.3, 2, 0}, 0.5}, add_material(scene, clear));
+    EXPECT_NEAR(floor_color(scene).r, 0.25 * 1.512 * 1.512, 1e-7);
+}
+
+TEST(ColoredShadows, CausticsDoNotChangeLightFromAllDirections) {
+    Material pane = sheet({1, 1, 1}, 0, 0.5);
+    Scene scene = floor_below({pane});
+    scene.lights.clear();
+    scene.occlusion = Occlusion{};
+    const Color before = floor_color(scene);
+    EXPECT_GT(before.r, 0);
+    scene.materials[1].caustics = 2;
+    EXPECT_EQ(floor_color(scene), before);
+}
+
+TEST(ColoredShadows, CausticsAreExplained) {
+    Material pane = sheet({1, 0.5, 0.25}, 0.25, 0.125);
+    pane.caustics = 5;
+    for (const bool at_a_point : {false, true}) {
+        Scene scene = floor_below({pane, pane});
+        if (at_a_point) scene.lights = {point_light({3, 4, -2})};
+        const std::optional<World> world = make_world(scene);
+        const Explanation e = explain(scene, *world, 1, 1).value();
+        const LightTerms& terms = e.rays.at(0).hit->lights.at(0);
+        ASSERT_EQ(terms.filters.size(), 2u);
+        for (const ShadowFilter& filter : terms.filters) {
+            const double cosine = number::abs(terms.to_light.y) / length(terms.to_light);
+            EXPECT_NEAR(filter.factor.r, 0.375 * (1 + std::pow(cosine, 5)), 1e-8);
+        }
+        EXPECT_NEAR(terms.filter.r, terms.filters[0].factor.r * terms.filters[1].factor.r, 1e-12);
+        const Color pixel = render(*world).value().image.pixel(1, 1);
+        EXPECT_EQ(static_cast<float>(e.rays.at(0).hit->parts[1].r), static_cast<float>(pixel.r));
+    }
+}
+
 TEST(ColoredShadows, LittleLightCountsAsBlocked) {
     const Material half = sheet({0, 0, 0}, 0, 0.5);
     EXPECT_EQ(floor_color(floor_below(std::vector<Material>(10, half))).r, 0x1p-10);

@@ -100,6 +100,7 @@ void MaterialList::warn(const Material& m) {
     if (m.refracts)
         losses_.add("refraction of `filter` and `transmit` (`refracts`)", "rays go straight through");
     if (m.fade_distance > 0) losses_.add("light lost in shapes (`fade_distance`)", "they are clear");
+    if (m.caustics > 0) losses_.add("light that shapes concentrate (`caustics`)", "it is left out");
     if (!m.casts_shadow) losses_.add("surfaces without shadows", "they have shadows");
 }
 

@@ -75,6 +75,7 @@ Opaque TextureParser::read_interior(const Token& at, const Opaque* before) {
         if (const auto* held = value ? std::get_if<std::shared_ptr<const Opaque>>(value) : nullptr) {
             out.ior = (*held)->ior;
             out.fade = (*held)->fade;
+            out.caustics = (*held)->caustics;
             out.missing = (*held)->missing;
         } else if (item.word() == Word::k_ior) {
             out.ior = number();
@@ -86,8 +87,10 @@ Opaque TextureParser::read_interior(const Token& at, const Opaque* before) {
             const Color given = rgb_of(color(true));
             out.fade.color = {std::max(given.r, 0.0), std::max(given.g, 0.0), std::max(given.b, 0.0)};
             if (!(out.fade.color == given)) out.missing.add({"fade_color", "below 0", call_place(item)});
-        } else if (name == "caustics" || name == "dispersion") {
-            if (number() != (name == "caustics" ? 0 : 1)) out.missing.add(missing(item, name));
+        } else if (name == "caustics") {
+            out.caustics = number();
+        } else if (name == "dispersion") {
+            if (number() != 1) out.missing.add(missing(item, name));
         } else if (name == "media") {
             skip_block();
             out.missing.add({"media", "smoke or haze inside an object", call_place(item)});

@@ -87,6 +87,11 @@ Fade SceneBuilder::fade_of(const Inherited& own) {
     return fade;
 }
 
+// Measured: the power of the cosine is 45 times POV-Ray's number.
+double SceneBuilder::caustics_of(const Inherited& own) {
+    return own.interior ? std::clamp(45 * own.interior->caustics, 0.0, k_not_negative.max) : 0;
+}
+
 std::uint32_t SceneBuilder::material_of(const Inherited& own, const Token& at) {
     const Texture& texture = *own.texture;
     const Finish& f = texture.finish;
@@ -97,7 +102,7 @@ std::uint32_t SceneBuilder::material_of(const Inherited& own, const Token& at) {
     const Look look = look_of(own, at);
     const std::array<double, 5>& p = look.color;
     const double ior = ior_of(own);
-    NumberTable<40>::Key key;
+    NumberTable<41>::Key key;
     const TextureNumbers numbers = numbers_of(texture);
     *std::copy(numbers.begin(), numbers.end(), key.begin()) = own.is_no_shadow ? 1.0 : 0.0;
     std::copy(p.begin(), p.end(), key.begin());
@@ -105,7 +110,9 @@ std::uint32_t SceneBuilder::material_of(const Inherited& own, const Token& at) {
     key[numbers.size() - 2] = look.image == k_none ? 0 : look.image + 1.0;
     key[numbers.size() - 1] = 0;
     const Fade fade = fade_of(own);
-    const double inside[] = {ior, fade.distance, fade.power, fade.color.r, fade.color.g, fade.color.b};
+    const double caustics = caustics_of(own);
+    const double inside[] = {ior,          fade.distance, fade.power, fade.color.r,
+                             fade.color.g, fade.color.b,  caustics};
     std::copy(std::begin(inside), std::end(inside), key.end() - std::ssize(inside));
     const bool is_last = last_material_ != k_none && key == last_key_;
     if (is_last && is_last_plain_ && has_nothing_else(texture, own.interior, own.is_merge))
@@ -152,6 +159,7 @@ std::uint32_t SceneBuilder::material_of(const Inherited& own, const Token& at) {
     if (m.refracts) m.ior = ior;
     m.fade_distance = fade.distance;
     if (fade.distance > 0) m.fade_power = fade.power, m.fade_color = fade.color;
+    m.caustics = caustics;
     last_material_ = static_cast<std::uint32_t>(scene_.materials.size());
     note(scene_.material_texts, last_material_, stream_.place_of(stream_.call_place(at)));
     scene_.materials.push_back(m);
@@ -185,6 +193,8 @@ void SceneBuilder::report_texture(const Inherited& own, const Token& at) {
     if (is_transparent && own.interior) {
         const Fade& fade = own.interior->fade;
         check(fade.distance < 0 || fade.power < 0, "fade_distance, fade_power", "below 0");
+        check(own.interior->caustics < 0, "caustics", "below 0");
+        check(own.interior->caustics > 0 && texture.below, "caustics", "of layered textures");
     }
     if (ior_of(own) != 1) refracts_at_ = stream_.call_place(at);
     check(is_transparent && f.interior && f.interior->ior != 1 && own.interior != own.finish_interior, "ior",

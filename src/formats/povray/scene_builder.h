@@ -169,6 +169,7 @@ class SceneBuilder {
     };
     static double ior_of(const Inherited& own);
     static Fade fade_of(const Inherited& own);
+    static double caustics_of(const Inherited& own);
     bool refracts_light() const;
     void make_all_refract();
     void forget_refraction();
@@ -223,9 +224,9 @@ class SceneBuilder {
     std::int32_t bodies_ = 0;
     // The last object that refracts, and that is hollow, too, and the last one that fades light.
     std::optional<Token> refracts_at_, hollow_at_, fades_at_;
-    NumberTable<40> materials_;
+    NumberTable<41> materials_;
     NumberTable<22> textures_;
-    NumberTable<40>::Key last_key_{};
+    NumberTable<41>::Key last_key_{};
     std::uint32_t last_material_ = k_none;
     std::optional<LayerLight> layer_light_;  // of a texture with layers, while its material is made
     bool is_last_plain_ = false;             // its shape had no warnings but those of the material

@@ -120,6 +120,7 @@ struct Opaque {
     Token at;
     double ior = 1;                      ///< of an interior
     Fade fade{};                         ///< of an interior
+    double caustics = 0;                 ///< of an interior
     MissingList missing{};               ///< what else of an interior counts
     CountedVector<ColorMapEntry> map{};  ///< of a color_map
     SkyItems sky{};                      ///< of a sky_sphere

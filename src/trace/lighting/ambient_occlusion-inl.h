@@ -62,7 +62,7 @@ inline bool colors_sky(const WorldParts& world) { return world.colors_shadows() 
 inline void find_sky_visibility(const WorldParts& world, ShadowRayBatch& rays, SteppedRays& steps) {
     intersect_shadow(world, rays);
     rays.from_light = false;
-    if (world.colors_shadows()) filter_light(world, rays, steps, nullptr);
+    if (world.colors_shadows()) filter_light(world, rays, steps, false, nullptr);
 }
 
 /// Adds the rays to the sums of their surfaces. The order of the rays of a surface is fixed.

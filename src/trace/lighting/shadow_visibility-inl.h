@@ -37,9 +37,10 @@ GLINT_SMALL void fade_light(const WorldParts& world, ShadowRayBatch& rays, int r
 /// Computes the factors of the light of shadow rays that are not occluded: the product over the transparent
 /// surfaces on the way, in the order of t. Surfaces at equal t count once, the first in the scene; those
 /// within Conventions::transparent_shadow_epsilon behind it, or of the surface that is lit, do not count.
-/// Where materials fade, each factor is followed by what the object leaves.
+/// Where materials fade, each factor is followed by what the object leaves. caustics: whether materials that
+/// have some concentrate the light.
 GLINT_SMALL void filter_light(const WorldParts& world, ShadowRayBatch& rays, SteppedRays& steps,
-                              TileRecord* record) {
+                              bool caustics, TileRecord* record) {
     for (auto& column : rays.filter) std::fill_n(column.begin(), rays.count, 1.0);
     steps.count = 0;
     const RaySpan span = rays.span();
@@ -71,7 +72,9 @@ GLINT_SMALL void filter_light(const WorldParts& world, ShadowRayBatch& rays, Ste
             const auto i = static_cast<std::size_t>(steps.number[at]);
             if (colors_light(world, id)) {
                 if (fades) fade_last(i, steps.t[at]);
-                const Color factor = shadow_factor(world, id, steps.point_of(k));
+                Color factor = shadow_factor(world, id, steps.point_of(k));
+                if (caustics)
+                    factor = factor * caustics_at(world, id, steps.point_of(k), steps.direction_of(k));
                 const double factors[] = {factor.r, factor.g, factor.b};
                 double most = 0;
                 for (std::size_t c = 0; c < 3; ++c) {
@@ -109,7 +112,7 @@ GLINT_SMALL void filter_light(const WorldParts& world, ShadowRayBatch& rays, Ste
 inline void find_visibility(const WorldParts& world, ShadowRayBatch& rays, SteppedRays& steps,
                             TileRecord* record) {
     intersect_shadow(world, rays);
-    if (world.colors_shadows()) filter_light(world, rays, steps, record);
+    if (world.colors_shadows()) filter_light(world, rays, steps, world.uses<&Material::caustics>(), record);
 }
 
 /// Stores the factors of the shadow rays by surface. Before apply_shadows().

@@ -2,6 +2,7 @@
 #include "world/appearance/fade.h"
 
 #include "math/elementary.h"
+#include "math/number.h"
 #include "math/transform.h"
 #include "world/appearance/appearance.h"
 
@@ -27,6 +28,14 @@ Color fade_at(const WorldParts& world, SurfaceId id, Vec3 point, Vec3 direction,
         return is_exponential ? exp(-((1 - c) * x)) : 1 - (1 - c) * (1 - left);
     };
     return {channel(color[0]), channel(color[1]), channel(color[2])};
+}
+
+double caustics_at(const WorldParts& world, SurfaceId id, Vec3 point, Vec3 direction) {
+    const double power = world.extended_row(material_row(world, id))[k_extended_value<&Material::caustics>];
+    if (!(power > 0)) return 1;
+    const Vec3 normal = surface_normals(*world.geometry, id, point).shading;
+    const double cosine = number::abs(dot(normal, direction)) / length(direction);
+    return 1 + pow(number::min(cosine, 1.0), power);
 }
 
 }  // namespace glint
