@@ -122,6 +122,9 @@ struct Texture {
     /// and after the last place it is the first and the last color.
     std::vector<TextureColor> color_map{};
     TextureMapping mapping = TextureMapping::uv;
+    /// With a color_map and a mapping other than uv: the mapping's point is (u, v, 0) in place of one in the
+    /// world, of the numbers at a mesh's vertices; shapes without them have no texture.
+    bool from_uv = false;
     TextureWrap wrap_u = TextureWrap::repeat, wrap_v = TextureWrap::repeat;
     TextureFilter filter = TextureFilter::bilinear;
     TextureMix mix = TextureMix::multiply;
@@ -150,6 +153,8 @@ struct Texture {
     double ambient = 1, diffuse = 1;
     std::string file{};  ///< the name of the picture's file; empty: none
 
+    /// Whether it needs texture coordinates of meshes.
+    bool needs_uv() const { return from_uv || mapping == TextureMapping::uv; }
     bool has_wrap(TextureWrap wrap) const { return wrap_u == wrap || wrap_v == wrap; }
     /// Whether surfaces may be transparent where it is.
     bool has_alpha() const {

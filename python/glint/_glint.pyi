@@ -168,6 +168,7 @@ class Texture:
         *,
         name: str = ...,
         mapping: TextureMapping = ...,
+        from_uv: bool = ...,
         wrap_u: TextureWrap = ...,
         wrap_v: TextureWrap = ...,
         filter: TextureFilter = ...,
@@ -192,6 +193,7 @@ class Texture:
     image: _ImageField
     color_map: _ColorMapField
     mapping: TextureMapping
+    from_uv: bool
     wrap_u: TextureWrap
     wrap_v: TextureWrap
     filter: TextureFilter

@@ -55,7 +55,7 @@ void check_coordinates(CheckContext& context) {
     // have none if a mesh has coordinates.
     const auto add = [&](std::uint32_t i, std::uint32_t material, std::span<const Shape> parts) {
         const std::uint32_t texture = material == k_none ? k_none : scene.materials[material].texture;
-        if (texture == k_none || scene.textures[texture].mapping != TextureMapping::uv) return;
+        if (texture == k_none || !scene.textures[texture].needs_uv()) return;
         bool has_any = false;
         std::size_t triangles = 0, of = 0;  // of meshes: those without, and all
         for (const Shape& part : parts) {
@@ -138,9 +138,9 @@ struct OnceTextures {
     std::vector<bool> has_surface, reaches;
 };
 
-// Planes reach any place. Of operands, nothing is known.
+// Planes reach any place. Of operands, and of patterns of u and v, nothing is known.
 bool is_everywhere(const PackedGeometry& geometry, const PreparedTexture& texture, std::uint32_t slot) {
-    if (geometry.operand_of(slot) != nullptr) return true;
+    if (texture.from_uv || geometry.operand_of(slot) != nullptr) return true;
     return slot >= geometry.bounded &&
            (texture.mapping == TextureMapping::planar || texture.mapping == TextureMapping::cylindrical);
 }

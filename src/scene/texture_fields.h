@@ -19,17 +19,19 @@ inline constexpr Range k_iterations{1, 1e6, false, false, "a number from 1 to 1e
 
 template <> struct FieldMembers<Texture> {
     template <class Choice> using Chosen = FieldMember<Texture, Choice, ChoiceType>;
-    using Any =
-        std::variant<Chosen<TextureMapping>, Chosen<TextureWrap>, Chosen<TextureFilter>, Chosen<TextureMix>,
-                     Chosen<TextureEncoding>, Chosen<TextureAlpha>, FieldMember<Texture, double, NumberType>,
-                     FieldMember<Texture, Vec3, PointType>, FieldMember<Texture, UvMap, UvMapType>,
-                     FieldMember<Texture, std::uint32_t, TextureType>>;
+    using Any = std::variant<Chosen<TextureMapping>, Chosen<TextureWrap>, Chosen<TextureFilter>,
+                             Chosen<TextureMix>, Chosen<TextureEncoding>, Chosen<TextureAlpha>,
+                             FieldMember<Texture, double, NumberType>, FieldMember<Texture, bool, BoolType>,
+                             FieldMember<Texture, Vec3, PointType>, FieldMember<Texture, UvMap, UvMapType>,
+                             FieldMember<Texture, std::uint32_t, TextureType>>;
 };
 
 /// .glint also has `file`, `texels` or `color_map`, and the keys of transforms.
 inline constexpr ItemField<Texture> k_texture_fields[] = {
     {"mapping", "mapping", "mapping", choice_field(&Texture::mapping, k_mapping_words),
      "where u and v come from: a mesh's vertices, or the point in the texture's coordinates"},
+    {"from_uv", "from_uv", "from u and v", bool_field(&Texture::from_uv),
+     "true: the mapping's point is (u, v, 0), of a mesh's vertices; with a color_map"},
     {"wrap_u", "wrap_u", "wrap of u", choice_field(&Texture::wrap_u, k_wrap_words),
      "what is to the left and right of the picture"},
     {"wrap_v", "wrap_v", "wrap of v", choice_field(&Texture::wrap_v, k_wrap_words),

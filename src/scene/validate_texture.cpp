@@ -32,6 +32,9 @@ std::string mistake_in(const std::vector<TextureColor>& colors) {
 std::string mistake_in(const Texture& texture) {
     if (texture.mapping == TextureMapping::uv && !(texture.turbulence == Vec3{}))
         return "turbulence: expected a mapping other than uv, found uv";
+    if (texture.from_uv && texture.mapping == TextureMapping::uv)
+        return "from_uv: expected a mapping other than uv, found uv";
+    if (texture.from_uv && texture.image) return "from_uv: expected a color_map, found an image";
     if (!texture.color_map.empty())
         return texture.image ? "expected an image or a color_map, found both" : mistake_in(texture.color_map);
     if (!texture.image) return "expected an image or a color_map, found neither";

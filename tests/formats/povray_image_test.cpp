@@ -115,6 +115,28 @@ TEST(PovrayImages, HaveUAndVOfMeshes) {
               std::string::npos);
 }
 
+TEST(PovrayImages, PatternsHaveUAndVOfMeshes) {
+    const std::string mesh =
+        "mesh2 { vertex_vectors { 3, <0, 0, 0>, <1, 0, 0>, <0, 1, 0> } "
+        "uv_vectors { 3, <0, 0>, <0.5, 0>, <0, 0.25> } face_indices { 1, <0, 1, 2> } ";
+    const std::string uv = "pigment { uv_mapping checker rgb 0 rgb 1 scale <0.5, 1, 1> } scale 3 }";
+    const Scene scene = scene_with_picture(mesh + uv);
+    ASSERT_EQ(scene.textures.size(), 1u);
+    EXPECT_TRUE(scene.textures[0].from_uv);
+    EXPECT_EQ(scene.textures[0].mapping, TextureMapping::checker);
+    EXPECT_EQ(scene.textures[0].world_from_texture, (Affine{{{0.5, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}}));
+    EXPECT_EQ(warnings_of(mesh + uv), "");
+    // The same pigment, on u and v and in space.
+    const std::string declared = "#declare P = pigment { checker rgb 0 rgb 1 }\n";
+    const Scene both =
+        scene_with_picture(declared + mesh + "uv_mapping pigment { P } }\n" + mesh + "pigment { P } }");
+    ASSERT_EQ(both.textures.size(), 2u);
+    EXPECT_TRUE(both.textures[0].from_uv);
+    EXPECT_FALSE(both.textures[1].from_uv);
+    for (const std::string& other : {"sphere { 0, 1 " + uv, "box { 0, 1 " + uv, "disc { 0, y, 1 " + uv})
+        EXPECT_NE(warnings_of(other).find("`uv_mapping` (of a pattern"), std::string::npos) << other;
+}
+
 TEST(PovrayImages, SayWhatIsNotRendered) {
     for (const auto& [items, named] : {std::pair{"map_type 5", "map_type"},
                                        {"interpolate 3", "drawn as 2"},

@@ -30,7 +30,35 @@ def sky(name, items):
 
 # A border of the pattern in a surface: its side there is within 1e-10.
 CHECKER = "checker rgb <0.9, 0.2, 0.1> rgb <0.2, 0.3, 0.9>"
+# A mesh with u and v, of two faces.
+MESH = ("mesh2 { vertex_vectors { 4, <-1, -1, 0>, <1, -1, 0>, <1, 1, 0.4>, <-1, 1, 0.4> }\n"
+        "uv_vectors { 4, <0, 0>, <2, 0>, <2, 1>, <-0.2, 1> } face_indices { 2, <0, 1, 2>, <0, 2, 3> } %s }\n")
+
+
+def on_uv(name, pattern, after="scale <0.4, 0.3, 1> rotate 20*z translate <0.05, 0.1, 0>"):
+    return rule("uv_" + name, MESH % (pigment("uv_mapping " + pattern, after)))
+
+
 RULES = [
+    on_uv("checker", CHECKER),
+    on_uv("checker_turned", CHECKER, "scale 0.4 rotate <30, 50, 20> translate 0.1"),
+    *[on_uv(name.split()[0], f"{name} {MAP}") for name in (
+        "gradient <1, 2, 0>", "onion", "wood", "marble", "radial", "spherical", "cylindrical", "planar", "boxed", "leopard", "spiral1 3")],
+    *[on_uv(f"radial_{i}", f"radial {items} {MAP}") for i, items in enumerate(("frequency 3", "frequency 2 phase 0.3", "triangle_wave"))],
+    on_uv("hexagon", "hexagon rgb <0.9, 0.2, 0.1> rgb <0.2, 0.3, 0.9> rgb 1", "rotate 90*x scale 0.1"),
+    on_uv("brick", "brick rgb <0.9, 0.9, 0.8> rgb <0.8, 0.2, 0.1> brick_size <0.4, 0.2, 0.3> mortar 0.03", ""),
+    on_uv("mandel", f"mandel 20 {MAP}", "translate <0.7, -0.5, 0> scale 0.7"),
+    on_uv("frequency", f"gradient x frequency 3 phase 0.2 {MAP}"),
+    on_uv("transmit", "checker rgbt <0.9, 0.2, 0.1, 0.6> rgb 0.8"),
+    rule("uv_object", MESH % f"uv_mapping {pigment(CHECKER, 'scale 0.2')} rotate y*20"),
+    rule("uv_texture", MESH % f"texture {{ uv_mapping {pigment(CHECKER, 'scale 0.2')} scale 0.5 }} rotate y*20"),
+    rule("uv_in_union", "union { " + MESH % "" + f"uv_mapping {pigment(CHECKER, 'scale 0.2')} rotate y*20 }}\n"),
+    rule("uv_layers", MESH % "texture { pigment { rgb <0.9, 0.8, 0.2> } } texture { pigment { uv_mapping checker rgbt 1 rgb <0.2, 0.3, 0.9> scale 0.2 } }"),
+    rule("uv_both", f"#declare P = pigment {{ {CHECKER} scale 0.3 }}\n" + MESH % f"uv_mapping pigment {{ P }} {FINISH} translate 0.3*x"
+         + MESH % f"pigment {{ P }} {FINISH} scale 0.5 translate <-0.7, 0, -1>"),
+    rule("uv_list", "mesh2 { vertex_vectors { 4, <-1, -1, 0>, <1, -1, 0>, <1, 1, 0.4>, <-1, 1, 0.4> } uv_vectors { 4, <0, 0>, <2, 0>, <2, 1>, <-0.2, 1> }\n"
+         f"texture_list {{ 2, texture {{ uv_mapping {pigment(CHECKER, 'scale 0.3')} }} texture {{ {pigment(CHECKER, 'scale 0.3')} }} }} "
+         "face_indices { 2, <0, 1, 2>, 0, <0, 2, 3>, 1 } }\n"),
     rule("checker", BALL % pigment(CHECKER, PLACE)),
     rule("checker_default", BALL % pigment("checker", PLACE)),
     rule("checker_one_pigment", BALL % pigment("checker pigment { rgb <0.9, 0.2, 0.1> }", PLACE)),

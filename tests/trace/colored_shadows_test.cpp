@@ -2,7 +2,10 @@
 // Shadows of surfaces with filter and transmit, with values known in closed form.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "glint/explain.h"
+#include "math/number.h"
 #include "trace/pictures.h"
 #include "trace/sheets.h"
 

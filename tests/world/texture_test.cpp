@@ -7,6 +7,7 @@
 #include "glint/explain.h"
 #include "glint/write.h"
 #include "math/srgb.h"
+#include "scene/validate_texture.h"
 #include "world/appearance/texture.h"
 #include "world/same_pictures.h"
 
@@ -233,6 +234,48 @@ TEST(Textures, LeaveSurfacesWithoutCoordinates) {
         "texture t { texels = (\"3366cc\")  wrap_u = once  uv_map = ((1, 0, 2), (0, 1, 0)) }";
     expect_same_picture(scene_of(std::string(k_mesh) + "}"),
                         scene_of(once + std::string(k_mesh) + "texture = t }"));
+}
+
+// u = (x + 1) / 2 and v = y: the pattern of u and v is one of space.
+TEST(Textures, MayBePatternsOfUAndV) {
+    const std::string mesh = std::string(k_mesh) + "texture = t  color = (1, 1, 1) }",
+                      colors = "  color_map = ((0, (1, 0, 0)), (1, (0, 0.25, 1)))  ";
+    for (const std::string mapping : {"onion", "rings", "planar", "checker", "leopard"}) {
+        const std::string text = "texture t { mapping = " + mapping + colors;
+        const Image of_uv =
+            picture_of(scene_of(text + "from_uv = true  scale = 0.3  rotate = (0, 0, 20) }" + mesh));
+        const Image of_space =
+            picture_of(scene_of(text +
+                                "scale = 0.3  rotate = (0, 0, 20)  scale = (2, 1, 1)  translate = "
+                                "(-1, 0, 0) }" +
+                                mesh));
+        double most = 0, least = 1, apart = 0;
+        for (std::size_t i = 0; i < of_uv.rgb.size(); ++i) {
+            most = std::max<double>(most, of_uv.rgb[i]);
+            least = std::min<double>(least, of_uv.rgb[i]);
+            apart = std::max<double>(apart, std::abs(of_uv.rgb[i] - of_space.rgb[i]));
+        }
+        EXPECT_GT(most - least, 0.3) << mapping;
+        EXPECT_LT(apart, 1e-5) << mapping;
+    }
+    // Shapes without u and v have no texture.
+    const std::string ball = "sphere { center = (0, 0, 0)  radius = 1  ",
+                      onion = "texture t { mapping = onion  from_uv = true" + colors + "}";
+    const Scene scene = scene_of(onion + ball + "texture = t }");
+    expect_same_picture(scene_of(ball + "}"), scene);
+    EXPECT_NE(write_glint(scene).value().find("from_uv = true"), std::string::npos);
+}
+
+TEST(Textures, OfUAndVArePatterns) {
+    Texture texture;
+    texture.from_uv = true;
+    texture.color_map = {{0, {1, 0, 0}}};
+    EXPECT_EQ(mistake_in(texture), "from_uv: expected a mapping other than uv, found uv");
+    texture.mapping = TextureMapping::onion;
+    EXPECT_EQ(mistake_in(texture), "");
+    texture.color_map.clear();
+    texture.image = small_texture().image;
+    EXPECT_EQ(mistake_in(texture), "from_uv: expected a color_map, found an image");
 }
 
 TEST(Textures, AreWrittenAndReadBack) {

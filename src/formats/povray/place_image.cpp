@@ -27,7 +27,16 @@ std::uint32_t SceneBuilder::texture_of(const Inherited& own, const Token& at, st
     const Color& emission = own.texture->finish.emission;
     set_shares(own.texture->finish, texture);
     if (!(emission == Color{0, 0, 0})) texture.mix = TextureMix::multiply_all;
-    if (is_uv && is_pattern) report({"uv_mapping", "of a pattern", stream_.call_place(at)});
+    texture.from_uv = is_uv && is_pattern && own.uv_source == UvSource::vertices;
+    if (texture.from_uv) {
+        // The pattern at (u, v, 0), with the pigment's transforms only. (Measured)
+        texture.world_from_texture = compose(pattern, image.world_from_texture);
+        // `radial` at z = 0 and x > 0 is at the end of its period, not at the start. (Measured)
+        if (texture.mapping == TextureMapping::cylindrical) texture.uv_map.m[0][2] -= 1e-9;
+        return add_texture(std::move(texture), pigment.image_number, at);
+    }
+    if (is_uv && is_pattern)
+        report({"uv_mapping", "of a pattern, of what is no mesh with uv_vectors", stream_.call_place(at)});
     if (is_uv && !is_pattern) {
         if (image.mapping != TextureMapping::planar)
             report({"uv_mapping", "of an image_map with a map_type", stream_.call_place(at)});
@@ -57,9 +66,9 @@ std::uint32_t SceneBuilder::texture_of(const Inherited& own, const Token& at, st
 
 // The number of a texture whose colors this number stands for; 0: of one color.
 std::uint32_t SceneBuilder::add_texture(glint::Texture texture, double image_number, const Token& at) {
-    NumberTable<22>::Key key{image_number, static_cast<double>(texture.mapping),
+    NumberTable<23>::Key key{image_number, static_cast<double>(texture.mapping),
                              static_cast<double>(texture.mix), texture.over + 1.0};
-    key[20] = texture.ambient, key[21] = texture.diffuse;
+    key[20] = texture.ambient, key[21] = texture.diffuse, key[22] = texture.from_uv ? 1 : 0;
     if (image_number == 0) {
         const TextureColor& c = texture.color_map.front();
         key[4] = c.color.r, key[5] = c.color.g, key[6] = c.color.b, key[7] = c.alpha;

@@ -225,7 +225,7 @@ class SceneBuilder {
     // The last object that refracts, and that is hollow, too, and the last one that fades light.
     std::optional<Token> refracts_at_, hollow_at_, fades_at_;
     NumberTable<41> materials_;
-    NumberTable<22> textures_;
+    NumberTable<23> textures_;
     NumberTable<41>::Key last_key_{};
     std::uint32_t last_material_ = k_none;
     std::optional<LayerLight> layer_light_;  // of a texture with layers, while its material is made

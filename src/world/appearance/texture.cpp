@@ -148,10 +148,11 @@ TextureSample sample_colors(const PreparedTexture& texture, TexturePlace place, 
 // u and v of the surface, before Texture::uv_map.
 std::optional<TexturePlace> surface_uv(const PackedGeometry& geometry, const PreparedTexture& texture,
                                        SurfaceId id, Vec3 point) {
-    if (texture.mapping == TextureMapping::uv) {
+    if (texture.needs_uv()) {
         const std::optional<Vec3> uv = mesh_texture_coordinates(geometry, id, point);
         if (!uv) return std::nullopt;
-        return TexturePlace{uv->x, uv->y};
+        if (!texture.from_uv) return TexturePlace{uv->x, uv->y};
+        point = {uv->x, uv->y, 0};
     }
     return place_on(texture, transform_point(texture.texture_from_world, point));
 }
@@ -160,8 +161,7 @@ std::optional<TexturePlace> surface_uv(const PackedGeometry& geometry, const Pre
 bool shows_behind(std::span<const Texture> textures, const Texture& front) {
     const Texture* layer = &front;
     for (; layer->over != k_none; layer = &textures[layer->over]) {
-        const bool may_be_missing =
-            layer->mapping == TextureMapping::uv || layer->has_wrap(TextureWrap::once);
+        const bool may_be_missing = layer->needs_uv() || layer->has_wrap(TextureWrap::once);
         if (!may_be_missing && !layer->has_alpha()) return false;
     }
     return layer->has_alpha();
