@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Features of POV-Ray that glint does not render: each is named where it counts.
+#include <fmt/format.h>
+
 #include "formats/povray_text.h"
 #include "math/transform.h"
 
@@ -112,6 +114,18 @@ TEST(PovRayMissing, JitterIsNamedWhereItIsSeen) {
         << "a plane has no end";
     EXPECT_TRUE(is_named("0.6*x, 0.6*z, 3, 1", "sphere { 0, 40 }")) << "the light is within the box";
     EXPECT_FALSE(is_named("0.6*x, 9*z, 3, 1", "sphere { 0, 1 }")) << "a side with one sample has no length";
+    EXPECT_FALSE(is_named(
+        "0.1*x, 0.1*z, 3, 3",
+        "intersection { plane { x, 1 } plane { -x, 1 } plane { y, 1 } plane { -y, 1 } plane { z, 1 } "
+        "plane { -z, 1 } rotate <10, 20, 30> }"))
+        << "planes that enclose a box";
+    // Meshes are searched up to 100 million steps: six for each vertex.
+    const std::string many =
+        "#declare M = mesh2 { vertex_vectors { 10000 #for (I, 0, 9999) , <mod(I, 100), 0, floor(I / 100)> / "
+        "100 #end }\n"
+        "face_indices { 9899 #for (I, 0, 9898) , <I, I + 1, I + 100> #end } }\n";
+    EXPECT_FALSE(is_named("0.0001*x, 0.0001*z, 2, 2", many + "#for (I, 0, 1099) object { M } #end"));
+    EXPECT_TRUE(is_named("0.0001*x, 0.0001*z, 2, 2", many + "#for (I, 0, 1799) object { M } #end"));
 }
 
 TEST(PovRayMissing, TinyScenesAreNamed) {
@@ -185,6 +199,44 @@ TEST(PovRayMissing, RefractionOfThreeObjectsWithinEachOther) {
                   std::string::npos)
             << text << said(text);
     }
+    // Where three are together is too small to be seen (of a camera 60 units away).
+    const std::string axes =
+        "cylinder { 0, 40*x, .2 open pigment { rgbt .7 } } cylinder { 0, 40*y, .2 open pigment { rgbt .7 } }";
+    const auto lens_at = [&](double y) {
+        return axes + fmt::format(" sphere {{ <0, {}, 0>, 17 ", y) + glass;
+    };
+    const std::string far = "camera { location <30, 30, 50> look_at 0 }\n",
+                      near = "camera { location <1, 3, 5> look_at 0 }\n";
+    EXPECT_EQ(said(far + lens_at(16.9)), "");
+    EXPECT_NE(said(near + lens_at(16.9)).find("of three transparent objects"), std::string::npos);
+    EXPECT_NE(
+        said(far + lens_at(16.9) + "sphere { <0, 16.9, 0>, 16 " + glass).find("of three transparent objects"),
+        std::string::npos);
+    // Planes that enclose something have an end: boxes, and eight planes around a point.
+    const auto cube = [&](double at) {
+        return fmt::format(
+                   "intersection {{ plane {{ x, 1 }} plane {{ -x, 0 }} plane {{ y, 1 }} plane {{ -y, 0 }} "
+                   "plane {{ z, 1 }} "
+                   "plane {{ -z, 0 }} translate {}*x ",
+                   at) +
+               glass;
+    };
+    const auto octahedron = [&](double at) {
+        return fmt::format(
+                   "intersection {{ #for (I, 0, 7) plane {{ <mod(I, 2) - .5, mod(div(I, 2), 2) - .5, div(I, "
+                   "4) - .5>, 1 }} "
+                   "#end scale .5 rotate <0, 0, 45> translate {}*x ",
+                   at) +
+               glass;
+    };
+    for (const auto& [text, is_named] : std::initializer_list<std::pair<std::string, bool>>{
+             {cube(0) + cube(2) + cube(4), false},
+             {cube(0) + cube(.5) + cube(.9), true},
+             {octahedron(0) + octahedron(3) + octahedron(6), false},
+             {octahedron(0) + octahedron(.5) + octahedron(1), true},
+             {cube(0) + cube(2) + "plane { y, .5 " + glass + "plane { z, .5 " + glass, true}})
+        EXPECT_EQ(said(text).find("of three transparent objects") != std::string::npos, is_named)
+            << text << said(text);
     for (const std::string& text :
          {"intersection { sphere { 0, 1 " + glass + " box { 0, 1 } pigment { rgbt 1 } }",
           "sphere { 0, 1 inverse " + glass,

@@ -70,13 +70,13 @@ void SceneBuilder::check_jitter() {
     std::uint64_t steps = 0;
     for (const Shape& shape : scene_.shapes) {
         // Many copies of large meshes are not searched to the end.
-        all.is_unbounded |= (steps += 12 * reach_steps(scene_, shape)) > k_max_jitter_steps;
+        all.is_unbounded |= (steps += 6 * reach_steps(scene_, shape)) > k_max_jitter_steps;
         const bool casts_shadow =
             shape.material >= scene_.materials.size() || scene_.materials[shape.material].casts_shadow;
         if (all.is_unbounded && outlines > 0) break;
         ReachBox own;
         own.add(scene_, shape);
-        all.add(scene_, shape);
+        all.add(own);
         const bool is_many = shape.kind == ShapeKind::mesh || shape.kind == ShapeKind::solid;
         if (casts_shadow)
             outlines += k_outline * (own.is_unbounded ? 1 : own.size()) * (is_many ? k_outlines_of_many : 1);

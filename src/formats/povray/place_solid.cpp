@@ -85,11 +85,15 @@ bool has_clips(const Object& object) {
 // Whether some of the shapes from `first` on may overlap.
 bool have_overlap(const Scene& scene, std::size_t first) {
     constexpr std::size_t k_most = 1000;
+    constexpr std::uint64_t k_most_steps = 100'000'000;
     const std::size_t end = scene.shapes.size();
     if (end - first > k_most) return true;
+    std::uint64_t steps = 0;
     for (std::size_t i = first; i < end; ++i) {
         for (std::size_t k = i + 1; k < end; ++k) {
-            if (!are_apart(scene, scene.shapes[i], scene.shapes[k])) return true;
+            const Shape &a = scene.shapes[i], &b = scene.shapes[k];
+            steps += reach_steps(scene, a) + reach_steps(scene, b);
+            if (steps > k_most_steps || !are_apart(scene, a, b)) return true;
         }
     }
     return false;

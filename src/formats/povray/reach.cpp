@@ -12,36 +12,95 @@
 namespace glint::povray {
 namespace {
 
+// Planes of an intersection: for more, only the other parts bound it.
+constexpr std::size_t k_most_halves = 24;
+
 // How far a disc of radius r around `axis` reaches along d.
 double disc_reach(Vec3 axis, double r, Vec3 d) {
     const Vec3 n = normalize(axis);
     return r * length(d - n * dot(d, n));
 }
 
-// An upper bound: what an operand cuts off from another one counts, too.
+// The points p with dot(normal, p) <= most.
+struct HalfSpace {
+    Vec3 normal;
+    double most;
+};
+
+std::optional<HalfSpace> half_space_of(const Scene& scene, const Shape& shape) {
+    if (shape.kind != ShapeKind::plane) return std::nullopt;
+    const Plane& plane = scene.get<Plane>()[shape.index];
+    if (shape.transform == k_none) return HalfSpace{plane.normal, dot(plane.normal, plane.point)};
+    const Affine& map = scene.transforms[shape.transform];
+    const std::optional<Affine> back = inverse(map);
+    if (!back) return std::nullopt;
+    const Vec3 normal = transform_normal(*back, plane.normal);
+    return HalfSpace{normal, dot(normal, transform_point(map, plane.point))};
+}
+
+// The greatest dot(d, p) in all half-spaces: if d is the sum of three normals by numbers from 0 on, the sum
+// of their `most` is an upper bound, and the least of these is the greatest dot(d, p) (duality of linear
+// programs).
+std::optional<double> reach_in(const std::vector<HalfSpace>& halves, Vec3 d) {
+    std::optional<double> least;
+    for (std::size_t i = 0; i < halves.size(); ++i) {
+        for (std::size_t j = i + 1; j < halves.size(); ++j) {
+            const Vec3 a = halves[i].normal, b = halves[j].normal, across = cross(a, b);
+            for (std::size_t k = j + 1; k < halves.size(); ++k) {
+                const Vec3 c = halves[k].normal;
+                const double size = dot(across, c);
+                if (number::abs(size) < 1e-9 * length(a) * length(b) * length(c)) continue;
+                const double of_a = dot(cross(b, c), d) / size, of_b = dot(cross(c, a), d) / size,
+                             of_c = dot(across, d) / size;
+                const double low = -1e-12 * (number::abs(of_a) + number::abs(of_b) + number::abs(of_c));
+                if (of_a < low || of_b < low || of_c < low) continue;
+                const double most = of_a * halves[i].most + of_b * halves[j].most + of_c * halves[k].most;
+                least = least ? number::min(*least, most) : most;
+            }
+        }
+    }
+    return least;
+}
+
+// An upper bound: what an operand cuts off from another one counts, too, but for planes.
 std::optional<double> solid_reach(const Scene& scene, const SolidTree& tree, Vec3 d) {
-    std::vector<std::optional<double>> open;  // without a number: endless
+    struct Part {
+        std::optional<double> reach;    // without a number: endless
+        std::vector<HalfSpace> halves;  // which it is in
+    };
+    std::vector<Part> open;
     auto operand = tree.operands.begin();
     for (const SolidStep& step : tree.steps) {
         if (step.operation == SolidOperation::operand) {
-            open.push_back(reach(scene, *operand++, d));
+            Part& part = open.emplace_back(Part{reach(scene, *operand, d), {}});
+            if (const auto half = half_space_of(scene, *operand)) part.halves.push_back(*half);
+            ++operand;
             continue;
         }
         const auto first = open.end() - step.count;
-        std::optional<double> whole = *first;
+        Part all = std::move(*first);
+        std::optional<double>& whole = all.reach;
         switch (step.operation) {
             case SolidOperation::merge:
             case SolidOperation::unite:
-                for (auto part = first; part != open.end(); ++part)
-                    whole = whole && *part ? std::optional(number::max(*whole, **part)) : std::nullopt;
+                if (step.count > 1) all.halves.clear();
+                for (auto part = first + 1; part != open.end(); ++part)
+                    whole = whole && part->reach ? std::optional(number::max(*whole, *part->reach))
+                                                 : std::nullopt;
                 break;
             case SolidOperation::intersection:
-                for (auto part = first; part != open.end(); ++part) {
-                    if (*part) whole = whole ? number::min(*whole, **part) : **part;
+                for (auto part = first + 1; part != open.end(); ++part) {
+                    if (part->reach) whole = whole ? number::min(*whole, *part->reach) : *part->reach;
+                    all.halves.insert(all.halves.end(), part->halves.begin(), part->halves.end());
+                }
+                if (all.halves.size() <= k_most_halves) {
+                    if (const auto most = reach_in(all.halves, d))
+                        whole = whole ? number::min(*whole, *most) : *most;
                 }
                 break;
             case SolidOperation::inverse:
                 whole = std::nullopt;
+                all.halves.clear();
                 break;
             case SolidOperation::difference:
             case SolidOperation::clip:
@@ -49,9 +108,9 @@ std::optional<double> solid_reach(const Scene& scene, const SolidTree& tree, Vec
                 break;
         }
         open.erase(first, open.end());
-        open.push_back(whole);
+        open.push_back(std::move(all));
     }
-    return open.empty() ? std::nullopt : open.back();
+    return open.empty() ? std::nullopt : open.back().reach;
 }
 
 // The greatest d·p of the points p of a shape without transform; nothing if there is none.
@@ -154,6 +213,15 @@ void ReachBox::add(const Scene& scene, const Shape& shape) {
     side({0, 0, 1}, least.z, most.z);
 }
 
+void ReachBox::add(const ReachBox& box) {
+    is_unbounded = is_unbounded || box.is_unbounded;
+    const auto widen = [](double Vec3::*axis, const ReachBox& by, ReachBox& all) {
+        all.least.*axis = std::min(all.least.*axis, by.least.*axis);
+        all.most.*axis = std::max(all.most.*axis, by.most.*axis);
+    };
+    for (double Vec3::*const axis : {&Vec3::x, &Vec3::y, &Vec3::z}) widen(axis, box, *this);
+}
+
 double ReachBox::size() const {
     const Vec3 sides = most - least;
     return std::max({sides.x, sides.y, sides.z});
@@ -161,8 +229,12 @@ double ReachBox::size() const {
 
 std::uint64_t reach_steps(const Scene& scene, const Shape& shape) {
     if (shape.kind == ShapeKind::solid) {
-        std::uint64_t steps = 1;
-        for (const Shape& operand : operands_of(scene, shape)) steps += reach_steps(scene, operand);
+        std::uint64_t steps = 1, planes = 0;
+        for (const Shape& operand : operands_of(scene, shape)) {
+            steps += reach_steps(scene, operand);
+            planes += operand.kind == ShapeKind::plane ? 1 : 0;
+        }
+        if (planes <= k_most_halves) steps += planes * planes * planes / 6;
         return steps;
     }
     if (shape.kind != ShapeKind::mesh) return 1;

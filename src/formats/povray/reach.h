@@ -18,6 +18,7 @@ struct ReachBox {
     bool is_unbounded = false;  ///< some have no end; it leaves these out
 
     void add(const Scene& scene, const Shape& shape);
+    void add(const ReachBox& box);
     /// Of its longest side; below 0 if it is empty.
     double size() const;
 };

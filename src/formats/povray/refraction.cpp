@@ -4,12 +4,47 @@
 
 #include "formats/povray/reach.h"
 #include "formats/povray/scene_builder.h"
+#include "math/number.h"
+#include "math/transform.h"
 #include "scene/validate_solid.h"
 
 namespace glint::povray {
 namespace {
 
 constexpr std::uint64_t k_max_tests = 10'000'000;
+
+// What three objects within each other may be of the picture: four times as wide in a lens, it is less than a
+// hundredth.
+constexpr double k_least_seen = 5e-4;
+
+// The square of the part of the picture's width or height that what three shapes have in common may be.
+double seen_part(const Scene& scene, std::initializer_list<const Shape*> shapes) {
+    ReachBox common{{-1e300, -1e300, -1e300}, {1e300, 1e300, 1e300}};
+    for (const Shape* shape : shapes) {
+        ReachBox own;
+        own.add(scene, *shape);
+        if (own.is_unbounded) return 1;
+        for (double Vec3::*const axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+            common.least.*axis = std::max(common.least.*axis, own.least.*axis);
+            common.most.*axis = std::min(common.most.*axis, own.most.*axis);
+        }
+    }
+    const Camera& camera = scene.camera;
+    if (!camera.frame) return 1;
+    const double size = length(common.most - common.least),
+                 side = std::min(length(camera.frame->right), length(camera.frame->up));
+    double part = size / side;
+    if (camera.projection == Projection::perspective) {
+        double beside = 0;  // of the camera, squared
+        for (double Vec3::*const axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
+            const double at = camera.position.*axis;
+            const double off = std::max({0.0, common.least.*axis - at, at - common.most.*axis});
+            beside += off * off;
+        }
+        part *= length(camera.frame->forward) / number::sqrt(beside);
+    }
+    return part < 1 ? part * part : 1;
+}
 
 // Whether light passes, or may.
 bool is_passed(const Material& m) { return m.is_transparent() || m.texture != k_none; }
@@ -79,6 +114,7 @@ void SceneBuilder::check_refraction() {
         return tests > k_max_tests || !are_apart(scene_, shapes[a], shapes[b]);
     };
     CountedVector<std::uint32_t> around;
+    double seen = 0;  // of the picture, where three are together
     for (std::size_t i = 0; i < all.size(); ++i) {
         around.clear();
         for (std::size_t k = i + 1; k < all.size(); ++k) {
@@ -91,7 +127,9 @@ void SceneBuilder::check_refraction() {
                 return report(
                     {"fog", "inside of hollow objects that refract, within another one", *hollow_at_});
             for (const std::uint32_t other : around) {
-                if (are_together(other, all[k]))
+                if (!are_together(other, all[k])) continue;
+                seen += seen_part(scene_, {&shapes[all[i]], &shapes[other], &shapes[all[k]]});
+                if (tests > k_max_tests || seen > k_least_seen)
                     return report({"ior", "of three transparent objects within each other", *refracts_at_});
             }
             around.push_back(all[k]);
@@ -133,8 +171,9 @@ void SceneBuilder::check_fading() {
             for (std::size_t i = a->first; i < a->end; ++i) {
                 if (!is_faded(scene_.shapes[i])) continue;
                 for (std::size_t k = std::max(i + 1, b->first); k < b->end; ++k) {
-                    if (++tests <= k_max_tests && are_apart(scene_, scene_.shapes[i], scene_.shapes[k]))
-                        continue;
+                    const Shape &one = scene_.shapes[i], &other = scene_.shapes[k];
+                    tests += (reach_steps(scene_, one) + reach_steps(scene_, other)) / 2;
+                    if (tests <= k_max_tests && are_apart(scene_, one, other)) continue;
                     return report({"fade_distance", "of a union whose parts overlap", *fades_at_});
                 }
             }
