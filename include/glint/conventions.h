@@ -120,7 +120,7 @@ struct Conventions {
     /// Surfaces within this distance behind a transparent surface are not met by a ray that goes straight
     /// through it (POV-Ray: 0.0001).
     double transparent_epsilon = 0;
-    /// The same for shadow rays whose light transparent surfaces color (POV-Ray: 0.001).
+    /// The same for the light of shadow rays, and also near the point that is lit (POV-Ray: 0.001).
     double transparent_shadow_epsilon = 0;
     double min_weight = 0;  ///< a ray whose weight is below this is not traced
     Facing facing = Facing::all;

@@ -287,7 +287,9 @@ constexpr Row k_rows[] = {
         "transparent_epsilon",
         "surfaces within this distance behind a transparent one are not met by a ray straight through it"),
     number_row<&C::transparent_shadow_epsilon, k_not_negative>(
-        "transparent_shadow_epsilon", "the same for shadow rays that transparent surfaces color"),
+        "transparent_shadow_epsilon",
+        "shadow rays that transparent surfaces color: transparent surfaces within this distance behind one "
+        "that counts, or of the point that is lit, do not count"),
     number_row<&C::min_weight, k_fraction>("min_weight", "a ray with a smaller weight is not traced"),
     word_row<&C::facing, k_facings>(
         "facing",
