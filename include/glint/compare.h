@@ -73,7 +73,7 @@ GLINT_API Result<Image> difference_image(const Image& a, const Image& b, double 
 // ---- Causes ----
 
 /// A cause is reported if it explains at least this fraction of a difference.
-inline constexpr double k_min_explained = 0.3;
+inline constexpr double k_min_explained = 0.6;
 
 /// One explanation of a difference.
 struct Cause {

@@ -37,7 +37,10 @@ std::vector<NamedFault> named_faults(const Search& search) {
         return faults;
     }
     if (search.report.causes.empty()) return faults;
-    if (const CauseCandidate* first = search.found_as(search.report.causes.front())) add(*first);
+    if (const CauseCandidate* first = search.found_as(search.report.causes.front())) {
+        add(*first);
+        faults.front().cause = search.report.causes.front();  // with what it explains
+    }
     return faults;
 }
 

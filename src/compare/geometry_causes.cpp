@@ -27,12 +27,25 @@ constexpr double k_said = 0.05;         // a part of a way that is worth a word
 
 Vec3 vec_of(Values v) { return {v[0], v[1], v[2]}; }
 
-// Numbers that a reader can take in.
-std::string text_of(double v) { return fmt::format("{:.3g}", std::fabs(v) < 0.0005 ? 0 : v); }
-std::string text_of(Vec3 v) { return fmt::format("({}, {}, {})", text_of(v.x), text_of(v.y), text_of(v.z)); }
+// Numbers that a reader can take in, with 3 digits or more.
+std::string text_of(double v, int digits = 3) {
+    double unit = 0.5;
+    for (int i = 0; i < digits; ++i) unit /= 10;
+    return fmt::format("{:.{}g}", std::fabs(v) < unit ? 0 : v, digits);
+}
+std::string text_of(Vec3 v, int digits = 3) {
+    return fmt::format("({}, {}, {})", text_of(v.x, digits), text_of(v.y, digits), text_of(v.z, digits));
+}
 std::string text_of(Color c) { return text_of(Vec3{c.r, c.g, c.b}); }
 
-// "0.4 further right, 0.2 higher", as the camera sees it.
+// "(0, 1, 2), and in the reference at (0, 1, 2.5)": with the digits that tell them apart.
+std::string places_text(Vec3 here, Vec3 there) {
+    int digits = 3;
+    while (digits < 9 && text_of(here, digits) == text_of(there, digits)) ++digits;
+    return fmt::format("{}, and in the reference at {}", text_of(here, digits), text_of(there, digits));
+}
+
+// "seen from the camera 0.4 further right, 0.2 higher"
 std::string way_text(const Scene& scene, Vec3 by) {
     const PreparedCamera camera = prepare_camera(scene.camera, scene.settings);
     const double whole = length(by);
@@ -45,7 +58,7 @@ std::string way_text(const Scene& scene, Vec3 by) {
     add(camera.right, "further right", "further left");
     add(camera.up, "higher", "lower");
     add(camera.forward, "further away", "nearer");
-    return fmt::format("{}", fmt::join(parts, ", "));
+    return fmt::format("seen from the camera {}", fmt::join(parts, ", "));
 }
 
 void add_lights(const Scene& scene, std::vector<FittedCause>& causes) {
@@ -72,8 +85,8 @@ void add_lights(const Scene& scene, std::vector<FittedCause>& causes) {
                          "{} shines from the direction {}, and in the reference "
                          "from {} (the vector to the light).",
                          name, text_of(normalize(was + vec_of(v))), text_of(was));
-                 return fmt::format("{} stands at {}, and in the reference at {}: {}.", name,
-                                    text_of(was + vec_of(v)), text_of(was), way_text(scene, vec_of(v)));
+                 return fmt::format("{} stands at {}: {}.", name, places_text(was + vec_of(v), was),
+                                    way_text(scene, vec_of(v)));
              }});
     }
 }
@@ -105,8 +118,8 @@ void add_camera(const Scene& scene, std::vector<FittedCause>& causes) {
     const double unit = k_camera_unit * std::max(far, 1e-3);
     const auto position_text = [&scene, name](Values v, const char* more) {
         const Vec3 was = scene.camera.position;
-        return fmt::format("{} stands at {}, and in the reference at {}: {}{}.", name,
-                           text_of(was + vec_of(v)), text_of(was), way_text(scene, vec_of(v)), more);
+        return fmt::format("{} stands at {}: {}{}.", name, places_text(was + vec_of(v), was),
+                           way_text(scene, vec_of(v)), more);
     };
     causes.push_back({"camera-moved",
                       {unit, unit, unit},
@@ -128,8 +141,7 @@ void add_camera(const Scene& scene, std::vector<FittedCause>& causes) {
          [](FaultyScene& s, Values v) { s.shading.camera.look_at = s.shading.camera.look_at + vec_of(v); },
          [&scene, name](Values v, bool) {
              const Vec3 was = scene.camera.look_at;
-             return fmt::format("{} looks at {}, and in the reference at {}.", name, text_of(was + vec_of(v)),
-                                text_of(was));
+             return fmt::format("{} looks at {}.", name, places_text(was + vec_of(v), was));
          }});
 }
 
@@ -179,9 +191,8 @@ void add_sphere(const SceneRenderer& renderer, std::uint32_t shape, std::vector<
                           s.spheres.push_back({shape, vec_of(v), 1});
                       },
                       [&scene, name, was = sphere.center](Values v, bool) {
-                          return fmt::format("{} has its centre at {}, and in the reference at {}: {}.", name,
-                                             text_of(was + vec_of(v)), text_of(was),
-                                             way_text(scene, vec_of(v)));
+                          return fmt::format("{} has its centre at {}: {}.", name,
+                                             places_text(was + vec_of(v), was), way_text(scene, vec_of(v)));
                       }});
     causes.push_back({"shape-scaled",
                       {unit},

@@ -59,6 +59,11 @@ Search PairSearch::coarse_search(const BytePicture& target, const Search& whole)
 
 void PairSearch::add(Trial& trial, CauseCandidate before, CauseCandidate after) {
     if (before.cause.name == after.cause.name) return;
+    // The other model twice is the scene's own.
+    const auto swaps_model = [](const CauseCandidate& c) {
+        return c.cause.name.starts_with("shading-model");
+    };
+    if (swaps_model(before) && swaps_model(after)) return;
     const double left = after.left.all, whole = trial.coarse.whole.all;
     const double rating = rated(after, rated(before, left, whole), whole);
     trial.pairs.push_back({std::move(before), std::move(after), left, rating});

@@ -24,6 +24,7 @@ constexpr int k_factor_rounds = 5;
 constexpr double k_mixed_pixels = 0.05;
 // A fitted curve gives all channels that change but this fraction: many others would be as near.
 constexpr double k_others_of_curve = 0.1;
+constexpr int k_grey_spread = 8;  // of the channels of a pixel that counts as grey
 
 // Every channel value of the reference as the byte change(value).
 template <class Change> void change_values(const PictureSource& s, BytePicture& made, Change&& change) {
@@ -123,6 +124,16 @@ std::optional<Pair> commonest_change(const PictureSource& s) {
     return best;
 }
 
+// Whether all but a twentieth of a picture's pixels have no color, or hardly any.
+bool is_grey(const BytePicture& picture) {
+    std::size_t colored = 0;
+    for (std::size_t i = 0; i + 2 < picture.rgb.size(); i += 3) {
+        const auto [least, most] = std::minmax({picture.rgb[i], picture.rgb[i + 1], picture.rgb[i + 2]});
+        colored += most - least > k_grey_spread ? 1 : 0;
+    }
+    return colored <= picture.rgb.size() / 3 / 20;
+}
+
 }  // namespace
 
 PictureFault dark_specks() {
@@ -184,6 +195,7 @@ PictureFault rim_differs() {
 
 PictureFault grey(double red, double green, double blue) {
     return [=](const PictureSource& s, BytePicture& made) -> Detail {
+        if (!is_grey(s.faulty)) return std::nullopt;
         for_each_row(s.rows, s.fit.threads, [&](std::int32_t y) {
             for (std::int32_t x = 0; x < made.width; ++x) {
                 const std::uint8_t* from = s.bytes.pixel(x, y);

@@ -52,7 +52,7 @@ PictureFault rim_differs();
 
 /// Red, green and blue are those channels of the reference: 0 to 2.
 PictureFault permuted(int red, int green, int blue);
-/// All channels are this weighted sum of the reference's.
+/// All channels are this weighted sum of the reference's. Only if the picture to explain is grey.
 PictureFault grey(double red, double green, double blue);
 /// The other channels are 0.
 PictureFault channels_left(bool red, bool green, bool blue);

@@ -13,10 +13,10 @@ namespace glint {
 namespace {
 
 // What is fitted to the picture has to explain more.
-constexpr double k_min_light_multiple = 0.85, k_min_factor = 0.5;
+constexpr double k_min_light_multiple = 0.85;
 // A factor is looked for from 1 to these, and no further where no more than this part of the difference
 // stays.
-constexpr double k_max_factor = 16, k_exact_part = 0.001;
+constexpr double k_max_factor = 16, k_exact_part = 0.001, k_min_way = 0.3;
 
 FaultEdit edit_of(const SceneCause& cause) {
     return [put = cause.put, reshape = cause.reshape, fault = cause.fault](FaultyScene& s) {
@@ -114,7 +114,7 @@ CauseCandidate SceneSearch::candidate(std::size_t i) const {
 
 CauseCandidate SceneSearch::scaled_candidate(std::size_t i, double factor, bool about) const {
     const SceneCause& cause = causes_[i];
-    const double least = cause.scale ? k_min_factor : k_min_light_multiple;
+    const double least = cause.scale ? k_min_explained : k_min_light_multiple;
     CauseCandidate candidate = fitted_candidate(
         cause.scale ? factor_of(cause, factor) : multiple_of(cause, factor), {factor}, about, least);
     candidate.row = i;
@@ -205,7 +205,7 @@ void SceneSearch::walk(const std::vector<Search*>& searches, const SceneCause& c
             const Distance moved = distance(made->bytes, one, searches[i]->area),
                            left = distance(made->bytes, *searches[i]->target, searches[i]->area);
             const auto is_on_the_way = [](double from_one, double way, double rest) {
-                return (from_one + way - rest) / 2 > k_min_explained * from_one;
+                return (from_one + way - rest) / 2 > k_min_way * from_one;
             };
             w.leads = w.leads || is_on_the_way(w.at_one.all, moved.all, left.all) ||
                       is_on_the_way(w.at_one.calm, moved.calm, left.calm);

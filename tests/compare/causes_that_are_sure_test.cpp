@@ -51,6 +51,17 @@ CauseReport causes_of(const SmallScene& right, const Trial& trial) {
     return *find_causes(as_file(SmallTracer(wrong, trial.mistakes).draw()), as_file(draw(read)), &read);
 }
 
+// A cause that explains a third of the difference is not even likely.
+TEST(CausesThatAreSure, NoneIsLikelyThatExplainsLittle) {
+    for (const bool blinn : {true, false}) {
+        const CauseReport report = causes_of(gate(blinn), {"no N.L", {.no_cosine = true}});
+        EXPECT_EQ(first_cause(report), "none") << all_causes(report);
+        ASSERT_TRUE(report.nearest);
+        EXPECT_GT(report.nearest->explained, 0.3);
+        EXPECT_LT(report.nearest->explained, k_min_explained);
+    }
+}
+
 TEST(CausesThatAreSure, AreNotThoseOfMistakesThatAreUnknown) {
     for (const auto& make : {bridge, gate}) {
         for (const bool blinn : {true, false}) {

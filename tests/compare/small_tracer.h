@@ -23,6 +23,7 @@ struct Mistakes {
     bool no_ambient_in_shadow = false;
     bool integer_sum = false;  ///< the color of a surface is an integer
     bool specular_times_cosine = false, diffuse_to_power = false, black_shadow = false;
+    bool no_cosine = false;  ///< in the diffuse term
     bool mirror_plus = false, mirror_negated = false;
     bool last_hit = false, first_hit = false, accepts_behind = false;
     bool integer_colors = false;
@@ -205,7 +206,7 @@ class SmallTracer {
             const double strength = s_.lamp /
                                     (std::pow(length(to_light), m_.distance_power) + m_.distance_offset) /
                                     (m_.fades_from_eye ? length(s_.eye - p) : 1);
-            const double diffuse = m_.diffuse_to_power ? std::pow(n_l, b.shininess) : n_l;
+            const double diffuse = m_.no_cosine ? 1 : m_.diffuse_to_power ? std::pow(n_l, b.shininess) : n_l;
             double shine =
                 s > 0 ? std::pow(s, m_.exponent_squared ? b.shininess * b.shininess : b.shininess) : 0;
             if (m_.specular_times_cosine) shine *= n_l;
