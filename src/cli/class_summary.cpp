@@ -173,7 +173,7 @@ std::string class_summary(const std::vector<GradedPicture>& graded, const PartPi
         const GradedPicture& p = graded[i];
         const Example example{i, p.name, pictures.find(i)};
         if (!p.error.empty()) {
-            mistakes.add("not readable", "", 0, example);
+            mistakes.add("not readable, or another size", "", 0, example);
         } else if (p.not_finite > 0) {
             mistakes.add("NaN or infinite", "", 0, example);
         } else if (!p.causes.causes.empty()) {

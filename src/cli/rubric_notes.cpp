@@ -66,14 +66,14 @@ std::string part_note(const RubricRow& row, const GradedPart& part, bool with_ca
             for (const Cause& cause : part.then)
                 notes.push_back(fmt::format("and then also {}: {}", cause_text(cause), cause.explanation));
         } else if (with_causes && part.score.not_finite == 0) {
-            notes.emplace_back("no classic cause");
+            notes.push_back(part.remark.empty() ? "no classic cause" : part.remark);
         }
     }
     return fmt::format("{}", fmt::join(notes, "; "));
 }
 
 std::string loss_name(const GradedPart& part) {
-    if (!part.error.empty()) return part.path.empty() ? "not handed in" : "not readable";
+    if (!part.error.empty()) return part.path.empty() ? "not handed in" : "not readable, or another size";
     if (part.score.not_finite > 0) return "NaN or infinite";
     return part.cause ? part.cause->name : "no classic cause";
 }

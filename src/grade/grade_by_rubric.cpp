@@ -159,9 +159,13 @@ class RubricGrader {
         options.cancel = options_.cancel;
         auto reports = find_faults(pictures, wanted.image, &wanted.scene, options);
         for (std::size_t n = 0; n < reports.size(); ++n) {
-            if (!reports[n] || reports[n]->report.causes.empty()) continue;
+            if (!reports[n]) continue;
             const std::size_t i = group[n].submission;
             GradedPart& part = graded_[i].parts[k];
+            if (reports[n]->report.causes.empty()) {
+                part.remark = std::move(reports[n]->report.remark);
+                continue;
+            }
             part.cause = reports[n]->report.causes.front();
             part.then = reports[n]->report.then;
             adopt(reports[n]->faults, group[n].set, pictures[n], i, k);

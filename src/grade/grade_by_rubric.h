@@ -47,6 +47,7 @@ struct GradedPart {
     PartScore score;
     std::optional<Cause> cause;  ///< of the difference
     std::vector<Cause> then;     ///< further causes, together with the first
+    std::string remark;          ///< CauseReport::remark, if there is no cause
     /// The faults of the program with which the picture was judged, because that gives more points; none if
     /// it was judged as it is.
     std::vector<std::string> followed;

@@ -155,7 +155,10 @@ TEST(OneMistake, CostsOnePartInAnyOrder) {
             const GradedPart& part = graded[i].parts[k];
             lower += part.score.points < rubric.rows[k].points;
             text += fmt::format(" {} {}/{}", rubric.rows[k].part, part.score.points, part.points_alone);
-            if (part.cause) text += " " + part.cause->name;
+            if (part.cause) {
+                text += " " + part.cause->name;
+                EXPECT_GT(part.cause->explained, 0.2) << graded[i].name << text;
+            }
         }
         const int mistakes = graded[i].name == "right" ? 0 : graded[i].name == "ambient and bgr" ? 2 : 1;
         EXPECT_EQ(lower, mistakes) << graded[i].name << text;
