@@ -372,6 +372,8 @@ struct ItemTexts {
 struct UnitNormals {
     bool of_planes = false, of_vertices = false;
     std::string_view reason;  ///< the effect of another length in the source, as part of a sentence
+    /// The lengths of the camera's right, up and forward if its rotation is one; none: the source allows any.
+    std::optional<Vec3> frame_lengths;
 };
 
 struct Scene {
@@ -399,7 +401,8 @@ struct Scene {
     Conventions conventions;
     RenderSettings settings;
 
-    UnitNormals unit_normals;  ///< set by the format's reader, regardless of the conventions
+    UnitNormals unit_normals;                   ///< set by the format's reader, regardless of the conventions
+    std::vector<std::uint32_t> base_materials;  ///< those that the source made others of, in order
     std::string profile = "glint";
     std::vector<SettingOrigin> origins;  ///< by setting key; may be empty (all from the profile)
     std::vector<std::string> files;      ///< the names of the texts it was read from

@@ -17,6 +17,9 @@ namespace {
 // A plane cuts a shape if it is nearer to its centre than this part of its extent: one that only touches it,
 // as the floor below a ball, does not.
 constexpr double k_inner_part = 1 - 1e-6;
+// The cosine of the angle within which a camera points at a place, and the part of the shapes' extent within
+// which it stands there.
+constexpr double k_aimed = 0.999, k_same_place = 1e-3;
 
 bool contains(const Bounds& outer, const Bounds& inner) {
     return outer.min.x <= inner.min.x && outer.min.y <= inner.min.y && outer.min.z <= inner.min.z &&
@@ -85,6 +88,31 @@ void check_handedness(CheckContext& context) {
 
 }  // namespace
 
+namespace {
+
+// What to do about a camera that looks at the middle of the shapes and sees none of them. along: its
+// distance.
+std::string remedy_of_unseen(const CheckContext& context, const Bounds& all, double along, bool planes) {
+    const Camera& camera = context.scene().camera;
+    const WorldParts& world = context.world();
+    if (planes) return "move the camera to the shapes' side of the planes, or the planes out of its way";
+    const double extent = length(all.max - all.min);
+    if (camera.projection == Projection::orthographic)
+        return fmt::format("make the view wider: the shapes extend over {:.4g}", extent);
+    if (const double least = context.scene().conventions.camera_t_min; along - extent / 2 < least)
+        return "move the camera back: what is nearer to it than the least t of camera rays is not seen";
+    const double pixel = along * length(world.camera.right) / length(world.camera.forward) /
+                         static_cast<double>(world.settings.width);
+    if (extent < pixel)
+        return fmt::format(
+            "move the camera nearer, or narrow its angle: the shapes extend over {:.4g}, and a "
+            "pixel there over {:.4g}",
+            extent, pixel);
+    return "look at a shape: there is none in the middle of all";
+}
+
+}  // namespace
+
 bool check_camera(CheckContext& context, const VisibleHits& visible) {
     check_handedness(context);
     if (context.scene().camera.projection == Projection::perspective) check_inside(context, visible);
@@ -119,6 +147,16 @@ bool check_camera(CheckContext& context, const VisibleHits& visible) {
     const Vec3 middle = (all.min + all.max) * 0.5, way = middle - world.camera.position;
     const double along = dot(way, normalize(world.camera.forward));
     const bool away = along <= 0;
+    if (length(way) <= k_same_place * length(all.max - all.min)) {
+        context.report("camera-sees-nothing", place,
+                       fmt::format("the camera sees none of the scene's shapes{}: it stands in the middle of "
+                                   "them, at {}, and looks along {}",
+                                   planes ? " but planes" : "", vector_text(world.camera.position),
+                                   vector_text(normalize(world.camera.forward))),
+                       "move the camera away from the shapes, and point it at them");
+        return false;
+    }
+    const bool is_aimed = along > k_aimed * length(way);
     context.report(
         "camera-sees-nothing", place,
         fmt::format(
@@ -127,8 +165,9 @@ bool check_camera(CheckContext& context, const VisibleHits& visible) {
             planes ? " but planes" : "", vector_text(normalize(world.camera.forward)),
             vector_text(world.camera.position), vector_text(middle),
             away ? "behind it" : fmt::format("{:.4g} in front of it", along)),
-        fmt::format("point the camera at {}{}", vector_text(middle),
-                    planes && !away ? ", and check that no plane hides the shapes" : ""));
+        is_aimed ? remedy_of_unseen(context, all, along, planes)
+                 : fmt::format("point the camera at {}{}", vector_text(middle),
+                               planes && !away ? ", and check that no plane hides the shapes" : ""));
     return false;
 }
 

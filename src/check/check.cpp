@@ -78,6 +78,7 @@ constexpr CheckKind k_kinds[] = {
     {"fog-not-visible", "the fog changes no pixel"},
     {"picture-black", "the whole picture is black"},
     {"picture-one-color", "the whole picture has one color"},
+    {"picture-dark", "nothing in the picture is bright enough to be seen well"},
     {"picture-clamped", "much of the picture is brighter than 1"},
     {"epsilon-too-small", "rays intersect the surface that they leave: shadow acne"},
     {"epsilon-too-large", "rays start beyond nearby objects"},

@@ -62,12 +62,18 @@ bool check_light_color(CheckContext& context, std::uint32_t index) {
                        "give it a color and an intensity of 0 or more");
     }
     if (brightest(light.color) > k_max_intensity && !light.falls_off()) {
-        context.report("light-color-255", place,
-                       fmt::format("{} has the color ({:.4g}, {:.4g}, {:.4g}), where 1 is the maximum, and "
-                                   "has no attenuation: are "
-                                   "these bytes from 0 to 255?",
-                                   context.light(index), light.color.r, light.color.g, light.color.b),
-                       "divide the color by 255");
+        const auto [r, g, b] = light.color;
+        const bool is_white = r == g && g == b;
+        context.report(
+            "light-color-255", place,
+            is_white
+                ? fmt::format("{} has the intensity {:.4g}, where 1 is usual, and no attenuation: is it a "
+                              "byte from 0 to 255, or a percentage?",
+                              context.light(index), r)
+                : fmt::format("{} has the color ({:.4g}, {:.4g}, {:.4g}), where 1 is the maximum, and no "
+                              "attenuation: are these bytes from 0 to 255?",
+                              context.light(index), r, g, b),
+            is_white ? "write an intensity of at most about 1" : "divide the color by 255");
     }
     return true;
 }

@@ -101,7 +101,20 @@ bool is_shut_off(const CheckContext& context, const VisibleHits& visible, std::u
            static_cast<double>(b.blocked) >= (1 - k_max_leak) * static_cast<double>(b.reflecting);
 }
 
-void report_dark(CheckContext& context, const VisibleHits& visible, std::uint32_t index) {
+std::string blocked_remedy(Effects& effects, const Light& light, bool plane) {
+    if (light.has_position()) {
+        return plane ? "move the light to the other side of the plane"
+                     : "move the light, or the shape that blocks it";
+    }
+    Light negated = light;
+    negated.to_light = -light.to_light;
+    if (!(effects.of(std::vector{negated}, k_first_look).most >= k_half_byte))
+        return "turn the light's direction, or move the shape that blocks it";
+    return fmt::format("negate the direction, which points from the surface towards the light: write {}",
+                       vector_text(negated.to_light));
+}
+
+void report_dark(CheckContext& context, const VisibleHits& visible, Effects& effects, std::uint32_t index) {
     const Light& light = context.scene().lights[index];
     const FindingPlace place = context.at_light(index);
     const std::string name = context.light(index);
@@ -139,13 +152,30 @@ void report_dark(CheckContext& context, const VisibleHits& visible, std::uint32_
                 name, b.facing, light.outer_angle),
             "turn the axis, aim the spot with `target`, or raise `outer_angle`");
     }
-    // The rays of the small picture differ from these: a few may pass an edge.
-    if (b.blocker == k_none || 2 * b.blocked < b.reflecting) {
+    const auto& occlusion = context.scene().occlusion;
+    if (occlusion && occlusion->direct == 0) {
+        return context.report(
+            "light-adds-nothing", place,
+            fmt::format("{} adds nothing to the picture: `direct` of the occlusion is 0, so that lights "
+                        "with a place or a direction are not used",
+                        name),
+            "give the occlusion a `direct` above 0, or remove the light");
+    }
+    if (b.reflecting == 0) {
         return context.report(
             "light-adds-nothing", place,
             fmt::format("{} adds nothing to the picture: no material that the camera sees reflects its color",
                         name),
             "give the materials diffuse or specular coefficients, or remove the light");
+    }
+    // The rays of the small picture differ from these: a few may pass an edge.
+    if (b.blocker == k_none || 2 * b.blocked < b.reflecting) {
+        return context.report(
+            "light-adds-nothing", place,
+            fmt::format("{} adds nothing to the picture, although {} visible points face it, reflect its "
+                        "color and are not in shadow",
+                        name, b.reflecting - b.blocked),
+            "`glint explain` at one of its pixels says what the light is multiplied by");
     }
     if (b.beyond) {
         return context.report(
@@ -159,8 +189,7 @@ void report_dark(CheckContext& context, const VisibleHits& visible, std::uint32_
     context.report(plane ? "light-behind-plane" : "light-blocked", place,
                    fmt::format("{} lights nothing that the camera sees: {} is between it and {} of {} points",
                                name, context.shape_and_line(b.blocker), b.by_blocker, b.reflecting),
-                   plane ? "move the light to the other side of the plane"
-                         : "move the light, or the shape that blocks it");
+                   blocked_remedy(effects, light, plane));
 }
 
 // An ambient light that the format implies has no place in the file, although other lights have one.
@@ -271,7 +300,7 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
         const Effect first_look = effects.of(group, longest);
         if (first_look.most >= k_half_byte) {
             if (group.size() == 1 && first_look.share < k_max_leak && is_shut_off(context, visible, group[0]))
-                report_dark(context, visible, group[0]);
+                report_dark(context, visible, effects, group[0]);
             else
                 note_if_faint(group, first_look.most);
             continue;
@@ -286,7 +315,7 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
         for (const std::uint32_t index : group) {
             const bool is_dark = effect == 0 || (group.size() == 1 && is_shut_off(context, visible, index));
             if (is_dark && dark++ < k_max_dark)
-                report_dark(context, visible, index);
+                report_dark(context, visible, effects, index);
             else
                 weak.push_back(index);
         }

@@ -82,10 +82,10 @@ void check_shininess(CheckContext& context, std::uint32_t index, std::size_t& lo
         if (shininess < 1) {
             return context.report(
                 "shininess-too-small", place,
-                fmt::format(
-                    "{} has the shininess {:.3g}: the highlight S^{:.3g} covers almost all that the light "
-                    "reaches. The shininess is an exponent, not a number from 0 to 1",
-                    context.material(index), shininess, shininess),
+                fmt::format("{} has the shininess {:.3g}: the highlight, (R.V)^{:.3g} or (N.H)^{:.3g}, "
+                            "covers almost all "
+                            "that the light reaches. The shininess is an exponent, not a number from 0 to 1",
+                            context.material(index), shininess, shininess, shininess),
                 "give it a shininess from 1 (wide) to 1000 (small)");
         }
         if (shininess <= k_max_shininess || looks == 0) continue;
@@ -188,6 +188,9 @@ void check_finish(CheckContext& context, std::uint32_t index) {
 void check_materials(CheckContext& context, bool sees) {
     const Scene& scene = context.scene();
     std::vector<bool> used(scene.materials.size()), solid(scene.materials.size());
+    std::vector<bool> base(scene.materials.size());
+    for (const std::uint32_t material : scene.base_materials)
+        if (material < base.size()) base[material] = true;
     for (std::uint32_t i = 0; i < scene.shapes.size(); ++i) {
         for (const Shape& operand : operands_of(scene, scene.shapes[i]))
             if (operand.material != k_none) used[operand.material] = true;
@@ -201,6 +204,7 @@ void check_materials(CheckContext& context, bool sees) {
     const bool highlights = shading == Shading::phong || shading == Shading::blinn_phong;
     for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
         const FindingPlace place = context.at_material(i);
+        if (!used[i] && base[i]) continue;
         if (!used[i]) {
             context.report("material-unused", place, fmt::format("no shape uses {}", context.material(i)),
                            "assign it to a shape, or remove it",

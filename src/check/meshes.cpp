@@ -25,6 +25,65 @@ struct Odd {
     }
 };
 
+// The triangles of a mesh in parts that hang together, each with the side of it that it shows.
+class Sides {
+  public:
+    explicit Sides(std::uint32_t count) : links_(count) {
+        for (std::uint32_t i = 0; i < count; ++i) links_[i].to = i;
+    }
+    /// Two neighbours: they show the same side, or not.
+    void join(std::uint32_t a, std::uint32_t b, bool is_turned) {
+        const Link x = find(a), y = find(b);
+        if (x.to == y.to) {
+            if ((x.is_turned != y.is_turned) != is_turned) links_[x.to].is_one_sided = true;
+            return;
+        }
+        const bool one_sided = links_[x.to].is_one_sided || links_[y.to].is_one_sided;
+        const auto [low, high] = std::minmax(x.to, y.to);
+        links_[high].to = low;
+        links_[high].is_turned = (x.is_turned != y.is_turned) != is_turned;
+        links_[low].is_one_sided = one_sided;
+    }
+    /// In each part, the fewer of those that show different sides. None of a part with one side, as a Moebius
+    /// strip: no order of vertices agrees there.
+    Odd turned() {
+        std::vector<std::array<Odd, 2>> parts(links_.size());
+        for (std::uint32_t i = 0; i < links_.size(); ++i) {
+            const Link link = find(i);
+            if (!links_[link.to].is_one_sided) parts[link.to][link.is_turned ? 1 : 0].add(i);
+        }
+        Odd all;
+        for (const auto& [straight, turned] : parts) {
+            const Odd& fewer = turned.count <= straight.count ? turned : straight;
+            if (fewer.count == 0) continue;
+            all.first = all.count == 0 ? fewer.first : std::min(all.first, fewer.first);
+            all.count += fewer.count;
+        }
+        return all;
+    }
+
+  private:
+    struct Link {
+        std::uint32_t to = 0;
+        bool is_turned = false, is_one_sided = false;
+    };
+    // The first triangle of the part, and whether i shows another side than it.
+    Link find(std::uint32_t i) {
+        Link to{i};
+        while (links_[to.to].to != to.to) {
+            Link& link = links_[to.to];
+            const Link next = links_[link.to];
+            to.is_turned = to.is_turned != link.is_turned;
+            to.to = link.to;
+            // Half of the way is short next time.
+            if (next.to != link.to) link = {next.to, link.is_turned != next.is_turned, link.is_one_sided};
+        }
+        return to;
+    }
+
+    std::vector<Link> links_;
+};
+
 class MeshCheck {
   public:
     /// name: of the shape, or of the operand of that solid.
@@ -103,7 +162,7 @@ class MeshCheck {
                "leave them out: of two triangles in one place the first is drawn");
     }
 
-    // An edge of two triangles that both have it in the same direction: one of them faces the other way.
+    // Of two triangles that both have an edge in the same direction, one faces the other way.
     void check_winding() {
         std::vector<Row> rows;  // of an edge: its vertices in order, the triangle, its first corner there
         rows.reserve(3 * std::size_t{size()});
@@ -115,7 +174,7 @@ class MeshCheck {
             }
         }
         std::sort(rows.begin(), rows.end());
-        Odd turned;
+        Sides sides(size());
         const auto corner = [&](const Row& row, std::uint32_t further) {
             return mesh_.triangles[row[2]][(row[3] + further) % 3];
         };
@@ -124,12 +183,15 @@ class MeshCheck {
             if (end - i != 2) continue;
             const Row &a = rows[i], &b = rows[i + 1];
             // Two with the same three vertices are duplicates.
-            if (corner(a, 0) == corner(b, 0) && corner(a, 2) != corner(b, 2)) turned.add(b[2]);
+            if (corner(a, 2) != corner(b, 2)) sides.join(a[2], b[2], corner(a, 0) == corner(b, 0));
         }
-        // Where the conventions turn all normals to the ray, flat triangles look the same from both sides.
+        // Where the conventions turn all normals to the ray, flat triangles look the same from both sides,
+        // but glass begins at the one and ends at the other.
+        const bool is_glass = context_.material_of(shape_).transmission > 0;
         const Facing facing = context_.world().conventions.facing;
-        report("mesh-winding", turned, "face the other way than a neighbour",
-               "reverse the order of their vertices", facing == Facing::all || facing == Facing::open);
+        report("mesh-winding", sides.turned(), "face the other way than their neighbours",
+               "reverse the order of their vertices",
+               !is_glass && (facing == Facing::all || facing == Facing::open));
     }
 
     CheckContext& context_;

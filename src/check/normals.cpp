@@ -49,9 +49,12 @@ void check_backs(CheckContext& context, const VisibleHits& visible) {
         "seen-from-behind", context.at_shape(backs.front()),
         fmt::format(
             "{} {} seen from behind, in {:.2g}% of the picture, where the lights on the viewer's side have "
-            "no effect: these conventions do not turn normals ({} flat shapes are seen from the front)",
+            "no effect: these conventions do not turn a normal towards the viewer{}",
             context.some_shapes(backs), backs.size() == 1 ? "is" : "are",
-            100 * static_cast<double>(pixels) / static_cast<double>(visible.rays()), fronts),
+            100 * static_cast<double>(pixels) / static_cast<double>(visible.rays()),
+            fronts == 0   ? ""
+            : fronts == 1 ? "; another flat shape is seen from the front"
+                          : fmt::format("; {} other flat shapes are seen from the front", fronts)),
         "reverse the normal, or the order of the vertices: from the front they are counter-clockwise");
 }
 

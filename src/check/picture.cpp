@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "check/checks.h"
@@ -18,6 +19,7 @@ namespace {
 constexpr std::int32_t k_small_picture = 160;
 constexpr double k_over = 1 + k_half_byte;
 constexpr double k_visible = 8.0 / 255;  // differences in a channel that count
+constexpr double k_usual_brightest = 0.8;
 // Shares of the picture. In the gallery's scenes up to 0.1 is clamped, the sources' epsilons change up to
 // 0.0006, and another reflection changes up to 0.005.
 constexpr double k_max_clamped = 0.125, k_max_acne = 0.005, k_max_changed = 0.0075;
@@ -45,6 +47,30 @@ double share_that_differs(const Image& a, const Image& b, double least) {
 
 bool is_over(const Image& image, std::size_t i) {
     return image.rgb[i] > k_over || image.rgb[i + 1] > k_over || image.rgb[i + 2] > k_over;
+}
+
+// "300" of 267.
+std::string one_digit(double v) {
+    std::size_t zeros = 0;
+    for (; v >= 9.5; v /= 10) ++zeros;
+    return fmt::format("{:.0f}", v) + std::string(zeros, '0');
+}
+
+// A picture that is not black, but looks so. Whether it is.
+bool check_dark(CheckContext& context, const Image& picture) {
+    const double most = clamped(*std::max_element(picture.rgb.begin(), picture.rgb.end()));
+    if (most > k_visible) return false;
+    // The lights that light nothing are the reason.
+    for (const char* id : {"light-inside-shape", "light-behind-everything", "light-behind-plane",
+                           "light-blocked", "light-on-surface", "light-too-weak", "light-attenuated-away",
+                           "spot-aimed-elsewhere", "spot-angle-in-radians"})
+        if (context.is_reported(id)) return true;
+    context.report(
+        "picture-dark", {}, fmt::format("nothing in the picture is brighter than {:.2g} of 255", 255 * most),
+        fmt::format("raise the intensities of the lights about {} times, or the coefficients of the "
+                    "materials",
+                    one_digit(k_usual_brightest / most)));
+    return true;
 }
 
 // True if the picture is black, or has one color: then no other finding about it is useful.
@@ -296,8 +322,10 @@ void check_reflections(CheckContext& context, const Image& picture) {
         "reflections-too-few", context.at_setting("reflections"),
         fmt::format("one reflection more than {} changes {:.2g}% of the picture by more than 8 of 255: {}",
                     now, 100 * changed,
-                    now == 0 ? "mirrors are switched off" : "mirrors see each other past the limit"),
-        fmt::format("set reflections to {}, or let the mirrors reflect less", enough));
+                    now == 0 ? "mirrors and glass are switched off"
+                             : "mirrors or glass are seen in each other past the limit"),
+        fmt::format("set reflections to {}, or let the mirrors reflect, or the glass transmit, less",
+                    enough));
 }
 
 }  // namespace
@@ -309,6 +337,7 @@ void check_picture(CheckContext& context, const VisibleHits& visible) {
         if (!context.is_reported("picture-black")) check_ambient_light(context, visible);
         return;
     }
+    if (check_dark(context, picture)) return;
     check_clamped(context, visible, picture);
     if (!context.is_reported("picture-clamped")) check_ambient_light(context, visible);
     check_background_shapes(context);

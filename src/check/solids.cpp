@@ -182,8 +182,8 @@ bool check_solid(CheckContext& context, std::uint32_t slot, const std::vector<bo
     for (std::uint32_t i = 0; i < operands.size(); ++i) {
         if (hit[solid.slot_of(i)] || !solid.cuts_nothing(i)) continue;
         context.report("operand-cuts-nothing", context.at_shape(shape),
-                       fmt::format("shape {} of {}, a {}, seems to cut nothing off: without it, none of {} "
-                                   "points changes its side",
+                       fmt::format("shape {} of {}, a {}, seems to cut nothing off: without it, each of {} "
+                                   "points tried stays inside or outside of the solid",
                                    i + 1, context.shape(shape), to_string(operands[i].kind), k_points),
                        "move or enlarge it, or remove it if it is not needed");
     }

@@ -166,13 +166,13 @@ void check_texture_fineness(CheckContext& context, const VisibleHits& visible) {
         const double samples = world.settings.samples;
         context.report(
             "texture-too-fine", context.at_texture(number),
-            fmt::format(
-                "{} is so fine that it is noise in this picture: a pixel is about {:.2g} texels long, whose "
-                "{} by {:.0f} of 255 from their mean, and shows {}",
-                context.texture(number), texels * samples,
-                has_color_noise ? "colors differ" : "alpha differs",
-                255 * samples * (has_color_noise ? color : opacity),
-                samples > 1 ? fmt::format("{:.0f} of them", samples * samples) : "one of them"),
+            fmt::format("{} is so fine that it is noise in this picture: about {:.{}f} texels lie along the "
+                        "side of a "
+                        "pixel; their {} by {:.0f} of 255 from their mean, and the pixel shows {}",
+                        context.texture(number), texels * samples, texels * samples < 9.5 ? 1 : 0,
+                        has_color_noise ? "colors differ" : "alpha differs",
+                        255 * samples * (has_color_noise ? color : opacity),
+                        samples > 1 ? fmt::format("{:.0f} of them", samples * samples) : "one of them"),
             "enlarge it: smaller numbers in `uv_map` or of the texture coordinates, or a larger `scale`; or "
             "give it a picture of fewer texels");
     }

@@ -62,17 +62,20 @@ void check_frame(CheckContext& context) {
     if (!scene.camera.frame) return;
     const CameraFrame& f = *scene.camera.frame;
     const double skew = number::abs(dot(normalize(f.right), normalize(f.up)));
-    // Where the viewport's point gives the length of a ray, the frame must be a rotation of a unit viewport.
+    // Where the viewport's point gives the length of a ray, the frame must be a rotation of the viewport.
     const bool rotation = scene.conventions.ray_direction == RayDirection::viewport;
+    const Vec3 lengths =
+        scene.unit_normals.frame_lengths.value_or(Vec3{length(f.right), length(f.up), length(f.forward)});
     const bool turned = rotation && (number::abs(dot(normalize(f.right), normalize(f.forward))) > k_slack ||
                                      number::abs(dot(normalize(f.up), normalize(f.forward))) > k_slack ||
-                                     !is_unit(f.forward) || !is_unit(f.right) || !is_unit(f.up));
+                                     !is_unit(f.right / lengths.x) || !is_unit(f.up / lengths.y) ||
+                                     !is_unit(f.forward / lengths.z));
     if (skew <= k_slack && !turned) return;
     context.report("camera-frame-skewed", context.at_camera(),
                    fmt::format("the camera's right {}, up {} and forward {} {}: the picture is distorted",
                                vector_text(f.right), vector_text(f.up), vector_text(f.forward),
                                skew > k_slack ? "are not at right angles" : "are not a rotation"),
-                   rotation ? "give three unit vectors at right angles to each other"
+                   rotation ? "give a rotation of three unit vectors at right angles to each other"
                             : "make up perpendicular to right");
 }
 

@@ -121,7 +121,8 @@ int compare_command(CompareArguments& arguments) {
         throw Failure(k_usage, fmt::format("expected two pictures, found {}; or SCENE --vary KEY=VALUES",
                                            arguments.files.size()));
     if (!arguments.scene.picture.size.empty())
-        throw Failure(k_usage, "--size is for --vary: a scene beside pictures has theirs");
+        throw Failure(k_usage,
+                      "--size belongs to --vary: beside two pictures, the scene is rendered in their size");
     std::optional<OutputFile> diff;
     if (!arguments.diff.empty()) {
         diff.emplace(png_output("--diff", arguments.diff));

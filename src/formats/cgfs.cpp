@@ -74,6 +74,7 @@ class CgfsReader {
     void set_camera_frame() {
         const auto& r = rotation_;
         reading_.camera_given = true;
+        scene_.unit_normals.frame_lengths = Vec3{viewport_[0], viewport_[1], viewport_[2]};
         scene_.camera.frame = CameraFrame{viewport_[0] * Vec3{r[0].x, r[1].x, r[2].x},
                                           viewport_[1] * Vec3{r[0].y, r[1].y, r[2].y},
                                           viewport_[2] * Vec3{r[0].z, r[1].z, r[2].z}};

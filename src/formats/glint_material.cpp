@@ -175,6 +175,7 @@ void GlintMaterials::define(GlintText& t, const Token& word, const Token& name, 
 std::uint32_t GlintMaterials::changed(GlintText& t, const Token& word, std::uint32_t base,
                                       const MaterialKeys& keys, bool is_shared) {
     if (keys.given == 0) return base;
+    if (base != k_none) bases_.insert(base);
     if (unknown_.contains(base)) {
         const std::uint32_t index = add(t, word, {});
         unknown_.insert(index);
@@ -207,6 +208,7 @@ void GlintMaterials::finish(LoadState& reading) {
             use.place, use.token.offset, use.token.length,
             fmt::format("no material is called {}{}", quoted(name), did_you_mean(name, names)));
     }
+    scene_.base_materials.assign(bases_.begin(), bases_.end());
     for (const Change& change : changes_) {
         const MaterialKeys all = changed_keys(keys_of(change.base), change.keys);
         scene_.materials[change.index] = made_of(all);

@@ -97,7 +97,8 @@ class GlintMaterials {
     CountedMap<std::string, Use> undefined_;  // names used and not defined yet
     // Materials that depend on undefined names.
     std::set<std::uint32_t, std::less<>, Counted<std::uint32_t>> unknown_;
-    CountedVector<Change> changes_;  // of these materials
+    CountedVector<Change> changes_;                                       // of these materials
+    std::set<std::uint32_t, std::less<>, Counted<std::uint32_t>> bases_;  // of other materials
     CountedHashMap<std::uint32_t, Origin> origins_;
     std::set<std::uint32_t, Less, Counted<std::uint32_t>> unnamed_;  // materials that may be shared
     std::string last_name_;

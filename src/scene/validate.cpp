@@ -172,9 +172,14 @@ class Validator : public PartValidator {
         if (scene_.shapes.empty()) {
             add({Severity::warning, {}, "the scene has no shapes: the picture shows only its background"});
         } else if (scene_.lights.empty() && shading != Shading::color && shading != Shading::normals) {
+            const bool emits =
+                std::any_of(scene_.materials.begin(), scene_.materials.end(), [](const Material& m) {
+                    return !(m.emission == Color{0, 0, 0});
+                });
             add({Severity::warning,
                  {},
-                 "the scene has no lights: the picture will be black but for its background"});
+                 emits ? "the scene has no lights: only its background and what emits light will be seen"
+                       : "the scene has no lights: the picture will be black but for its background"});
         }
         if (!scene_.conventions.cones) note_omitted_cones();
     }

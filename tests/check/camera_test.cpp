@@ -78,6 +78,44 @@ sphere { center = (0, 0, 0)  radius = 1 }
     EXPECT_TRUE(has(message, "  remedy: point the camera at (0, 0, 0)")) << message;
 }
 
+// The remedy is not to point the camera where it points already.
+TEST(CheckCamera, LooksAtShapesThatItDoesNotSee) {
+    const std::string lit = "light { position = (30, 50, 50) }\n";
+    const std::string narrow =
+        lit +
+        "sphere { center = (-15, 10, 0)  radius = 10 }\n"
+        "sphere { center = (15, 10, 0)  radius = 10 }\n"
+        "camera { projection = orthographic  position = (0, 10, 80)  look_at = (0, 10, 0)";
+    EXPECT_TRUE(has(only_message(narrow + " }\n"), "remedy: make the view wider"))
+        << only_message(narrow + " }\n");
+    EXPECT_EQ(ids_of(narrow + "  width = 60 }\n"), "");
+
+    const std::string ball = lit + "sphere { center = (0, 1, 0)  radius = 1  color = (0.8, 0.2, 0.1) }\n";
+    const std::string far = ball + "camera { position = (0, 1, 3000)  look_at = (0, 1, 0)  fov_x = 45 }\n";
+    EXPECT_TRUE(has(only_message(far), "remedy: move the camera nearer, or narrow its angle"))
+        << only_message(far);
+
+    const std::string below = ball +
+                              "plane { point = (0, 0, 0)  normal = (0, 1, 0) }\n"
+                              "camera { position = (0, -2, 8)  look_at = (0, 1, 0) }\n";
+    EXPECT_TRUE(
+        has(to_string(check_text(below)[0]), "remedy: move the camera to the shapes' side of the planes"))
+        << to_string(check_text(below)[0]);
+
+    const std::string within = lit +
+                               "sphere { center = (-1.5, 1, 0)  radius = 1 }\n"
+                               "sphere { center = (1.5, 1, 0)  radius = 1 }\n"
+                               "camera { position = (0, 1, 0)  look_at = (0, 2, 8) }\n";
+    EXPECT_TRUE(has(only_message(within), "it stands in the middle of them")) << only_message(within);
+    EXPECT_TRUE(has(only_message(within), "remedy: move the camera away")) << only_message(within);
+
+    const std::string near = only_message(
+        "sphere { center = (0, 0, 0.6) radius = 0.2 color = (200, 20, 10) specular = 50 }\n"
+        "light { type = point intensity = 0.8 position = (2, 3, 0) }\n",
+        "a.cgfs");
+    EXPECT_TRUE(has(near, "remedy: move the camera back")) << near;
+}
+
 TEST(CheckCamera, SeesOnlyPlanes) {
     // The floor is seen, the ball is behind the viewer.
     EXPECT_EQ(ids_of(R"(light { position = (0, 5, 0) }
@@ -113,6 +151,15 @@ TEST(CheckCamera, SkewedFrame) {
     EXPECT_EQ(ids_of(lit + "camera { position = (0, 0, 0)\n rotation = ((1, 0, 0), (0, 1, 0), (0, 0, 2)) }",
                      "a.cgfs"),
               "camera-frame-skewed@3");
+    // The book's own settings stretch the viewport.
+    for (const char* viewport : {"projection_plane_d = 2\n", "viewport_size = 2 x 1\n"}) {
+        EXPECT_EQ(ids_of(viewport + lit, "a.cgfs"), "") << viewport;
+        EXPECT_TRUE(has(ids_of(viewport + lit + "camera { position = (0, 0, 0)\n rotation = ((1, 0, 0), (0, 1, "
+                                                "0), (0, 0, 2)) }",
+                               "a.cgfs"),
+                        "camera-frame-skewed@4"))
+            << viewport;
+    }
     // Rounded to four digits.
     EXPECT_EQ(ids_of("sphere { center = (0, 0, 4) radius = 1 color = (200, 100, 50) }\n"
                      "light { type = point intensity = 0.7 position = (2, 3, 0) }\n"

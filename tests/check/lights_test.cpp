@@ -149,6 +149,27 @@ box "shade" { min = (-4, 20, -4)  max = (4, 21, 4) }
     EXPECT_TRUE(has(only_message(text), "box 'shade' (line 5)")) << only_message(text);
 }
 
+// The remedy is tried: a sun has no place that it could be moved from.
+TEST(CheckLights, ReversedDirections) {
+    const std::string sun = R"(camera { position = (0, 2, 8)  look_at = (0, 1, 0)  fov_x = 50 }
+light { type = ambient  intensity = 0.3 }
+light { type = directional  direction = (1, -2, 1)  intensity = 0.7 }
+sphere { center = (0, 1, 0)  radius = 1 }
+)";
+    for (const char* floor : {"plane { point = (0, 0, 0)  normal = (0, 1, 0) }\n",
+                              "box { min = (-9, -1, -9)  max = (9, 0, 9) }\n"}) {
+        const std::string message = only_message(sun + floor);
+        EXPECT_TRUE(has(message, "remedy: negate the direction")) << message;
+        EXPECT_TRUE(has(message, "write (-1, 2, -1)")) << message;
+    }
+}
+
+TEST(CheckLights, ThatTheOcclusionLeavesOut) {
+    const std::string message = only_message(k_clean + "occlusion { samples = 16  direct = 0 }\n");
+    EXPECT_TRUE(has(message, "[light-adds-nothing]")) << message;
+    EXPECT_TRUE(has(message, "`direct` of the occlusion is 0")) << message;
+}
+
 TEST(CheckLights, BlockedByWhatItLiesIn) {
     // By the lecture's rule a surface through the light itself is before it.
     const std::string lamp = "disc \"lamp\" { center = (3, 6, 5)  normal = (-3, 4, 3)  radius = 0.5 }\n";

@@ -115,5 +115,16 @@ TEST(CheckMaterials, Invisible) {
         EXPECT_EQ(ids_of(k_clean + ball + std::string(fine) + " }\n"), "") << fine;
 }
 
+TEST(CheckMaterials, AreUsedWhereOthersAreMadeOfThem) {
+    const std::string gold = k_clean + "material gold { color = (0.8, 0.6, 0.2) }\n";
+    EXPECT_EQ(ids_of(gold), "material-unused@7");
+    EXPECT_EQ(ids_of(gold + "sphere { center = (0, 1, 2)  radius = 0.8  material = gold  mirror = 0.3 }\n"),
+              "");
+    // Also before its definition.
+    EXPECT_EQ(ids_of(k_clean + "sphere { center = (0, 1, 2)  radius = 0.8  material = gold  mirror = 0.3 }\n"
+                               "material gold { color = (0.8, 0.6, 0.2) }\n"),
+              "");
+}
+
 }  // namespace
 }  // namespace glint::test

@@ -36,10 +36,40 @@ TEST(CheckMeshes, SayNothingOfASoundMesh) {
 TEST(CheckMeshes, TurnedTriangles) {
     const std::string turned = strip("(2, 1, 3)");
     EXPECT_TRUE(has(only_message(k_clean + turned),
-                    "2 of the 8 triangles of its mesh face the other way than a neighbour; the first is "
+                    "1 of the 8 triangles of its mesh face the other way than their neighbours; the first is "
                     "number 1, from 0"))
         << only_message(k_clean + turned);
     EXPECT_EQ(ids_of("conventions { facing = none }\n" + k_clean + turned), "mesh-winding@8");
+}
+
+// One of a cube's twelve has three neighbours, which are right.
+TEST(CheckMeshes, TheTurnedTriangleAndNotItsNeighbours) {
+    const auto cube = [](std::string_view eleventh, std::string_view glass) {
+        return fmt::format(
+            "{}mesh {{ vertices = ((-0.4, 0.2, 2), (0.4, 0.2, 2), (0.4, 1, 2), (-0.4, 1, 2), (-0.4, 0.2, "
+            "2.8), "
+            "(0.4, 0.2, 2.8), (0.4, 1, 2.8), (-0.4, 1, 2.8))\ntriangles = ((0, 2, 1), (0, 3, 2), (4, 5, 6), "
+            "(4, 6, 7), (0, 1, 5), (0, 5, 4), (2, 3, 7), (2, 7, 6), (1, 2, 6), (1, 6, 5), (0, 4, 7), {}) {} "
+            "}}\n",
+            k_clean, eleventh, glass);
+    };
+    EXPECT_EQ(ids_of(cube("(0, 7, 3)", "")), "");
+    for (const char* glass : {"", "transmission = 0.8  ior = 1.5"}) {
+        std::vector<Finding> found = check_text(cube("(0, 3, 7)", glass));
+        std::erase_if(found, [](const Finding& f) { return f.id != "mesh-winding"; });
+        ASSERT_EQ(found.size(), 1u) << glass;
+        EXPECT_TRUE(has(to_string(found[0]), "1 of the 12 triangles")) << to_string(found[0]);
+        EXPECT_TRUE(has(to_string(found[0]), "the first is number 11")) << to_string(found[0]);
+        EXPECT_EQ(found[0].diagnostic.severity, *glass == 0 ? Severity::note : Severity::warning);
+    }
+}
+
+TEST(CheckMeshes, NoOrderOfVerticesAgreesOnAMoebiusStrip) {
+    EXPECT_FALSE(has(
+        ids_of("conventions { facing = none }\n" + k_clean +
+               "mesh { vertices = ((0, 0.4, 2), (0.4, 0.4, 2.2), (0.1, 0.8, 2.4), (0.5, 1, 2), "
+               "(-0.3, 1, 2.2))\ntriangles = ((0, 1, 2), (1, 2, 3), (2, 3, 4), (3, 4, 0), (4, 0, 1)) }\n"),
+        "mesh-winding"));
 }
 
 TEST(CheckMeshes, DuplicatesAndTrianglesWithoutArea) {

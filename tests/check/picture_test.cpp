@@ -37,6 +37,23 @@ sphere { center = (0, 0, 0)  radius = 1  color = (0, 0, 0) }
                     "picture-black@0"));
 }
 
+TEST(CheckPicture, Dark) {
+    const auto lit = [](const char* intensity) {
+        return fmt::format(
+            "camera {{ position = (0, 1, 6)  look_at = (0, 1, 0) }}\nlight {{ position = (3, 5, 5)  "
+            "intensity = {} }}\nsphere {{ center = (0, 1, 0)  radius = 1 }}\n"
+            "plane {{ point = (0, 0, 0)  normal = (0, 1, 0) }}\n",
+            intensity);
+    };
+    const std::string message = only_message(lit("0.004"));
+    EXPECT_TRUE(has(message, "[picture-dark]")) << message;
+    EXPECT_TRUE(has(message, "of the lights about 200 times") ||
+                has(message, "of the lights about 300 times"))
+        << message;
+    EXPECT_EQ(ids_of(lit("0.1")), "");
+    EXPECT_EQ(ids_of(lit("1")), "");
+}
+
 TEST(CheckPicture, OfOneColor) {
     EXPECT_TRUE(has(ids_of(R"(background = (1, 1, 1)
 camera { position = (0, 0, 8)  look_at = (0, 0, 0) }

@@ -51,7 +51,7 @@ TEST(CheckSolids, OperandsThatCutNothing) {
                                  k_clean));
     EXPECT_TRUE(
         has(message,
-            "shape 2 of solid 'cup', a sphere, seems to cut nothing off: without it, none of 20000 points"))
+            "shape 2 of solid 'cup', a sphere, seems to cut nothing off: without it, each of 20000 points"))
         << message;
 }
 

@@ -279,7 +279,8 @@ TEST(CheckTextures, TooFineInOneDirection) {
     const std::string columns = "\"202020 e0e0e0\"", rows = "\"202020\", \"e0e0e0\"";
     EXPECT_EQ(ids_of(fine_wall(100000, 0.001, columns)), "texture-too-fine@7");
     EXPECT_EQ(ids_of(fine_wall(0.001, 100000, rows)), "texture-too-fine@7");
-    EXPECT_TRUE(has(only_message(fine_wall(100000, 0.001, columns)), " texels long, whose colors differ by "))
+    EXPECT_TRUE(has(only_message(fine_wall(100000, 0.001, columns)),
+                    " texels lie along the side of a pixel; their colors differ by "))
         << only_message(fine_wall(100000, 0.001, columns));
     EXPECT_EQ(ids_of(fine_wall(1000, 1, columns)), "texture-too-fine@7");
     EXPECT_EQ(ids_of(fine_wall(200, 0.001, columns)), "");
@@ -295,7 +296,7 @@ TEST(CheckTextures, NoiseOfAlpha) {
     EXPECT_EQ(ids_of(fine_wall(10000, 10000, texels, "alpha = mask")), "texture-too-fine@7");
     EXPECT_EQ(ids_of(fine_wall(10000, 10000, texels)), "texture-too-fine@7");
     EXPECT_TRUE(
-        has(only_message(fine_wall(10000, 10000, texels, "alpha = mask")), "whose alpha differs by "));
+        has(only_message(fine_wall(10000, 10000, texels, "alpha = mask")), "their alpha differs by "));
     EXPECT_EQ(ids_of(fine_wall(10000, 10000, texels, "alpha = ignore")), "");
     EXPECT_EQ(ids_of(fine_wall(10, 10, texels, "alpha = mask")), "");
     // The alpha hardly varies, or all of it is above the cutoff.

@@ -346,6 +346,9 @@ TEST(Validate, WarnsAboutScenesWithoutLightsOrShapes) {
     EXPECT_EQ(validate(scene)[0].severity, Severity::warning);
     EXPECT_EQ(validate(scene)[0].message,
               "the scene has no lights: the picture will be black but for its background");
+    scene.materials.push_back({.emission = {1, 0.5, 0}});
+    EXPECT_EQ(validate(scene)[0].message,
+              "the scene has no lights: only its background and what emits light will be seen");
     scene.settings.shading = Shading::normals;
     EXPECT_TRUE(validate(scene).empty());
     ASSERT_EQ(validate(Scene{}).size(), 1u);
