@@ -15,7 +15,11 @@ void scale_exponents(Scene& s, double factor) {
     });
 }
 void swap_model(Scene& s) {
-    s.settings.shading = s.settings.shading == Shading::phong ? Shading::blinn_phong : Shading::phong;
+    // A part of a rubric may have no highlights.
+    if (s.settings.shading == Shading::phong)
+        s.settings.shading = Shading::blinn_phong;
+    else if (s.settings.shading == Shading::blinn_phong)
+        s.settings.shading = Shading::phong;
 }
 bool is_about_four(double factor) { return factor > 3 && factor < 5; }
 std::string exponent_text(double factor, bool about) {

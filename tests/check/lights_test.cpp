@@ -249,6 +249,15 @@ TEST(CheckLights, ThatTakeLightAway) {
         has(ids_of(k_clean + "light { position = (0, 5, 5)  intensity = -0.1 }\n"), "light-negative@7"));
 }
 
+// A direction that is too long makes the picture white: there is nothing else to be said of it.
+TEST(CheckLights, DirectionsThatAreTooLong) {
+    EXPECT_EQ(ids_of("conventions { normalize = false }\ncamera { position = (0, 1.5, 6)  look_at = (0, 1, 0) }\n"
+                     "light { type = directional  to_light = (3, 5, 5)  intensity = 0.8 }\n"
+                     "sphere { center = (0, 1, 0)  radius = 1  color = (0.8, 0.2, 0.1) }\n"
+                     "plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.5, 0.5, 0.5) }\n"),
+              "direction-not-unit@3");
+}
+
 TEST(CheckLights, ColorsAsBytes) {
     EXPECT_TRUE(has(ids_of(k_clean + "light { position = (0, 5, 5)  color = (255, 250, 240) }\n"),
                     "light-color-255@7"));

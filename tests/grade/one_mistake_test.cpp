@@ -170,6 +170,17 @@ TEST(OneMistake, CostsOnePartInAnyOrder) {
     }
 }
 
+// The other model is one of highlights: without them, a picture that has some is not explained by it.
+TEST(OneMistake, OfTheModelDoesNotShowWithoutHighlights) {
+    for (const SceneFault& fault : lighting_faults()) {
+        if (!std::string_view(fault.name).starts_with("shading-model")) continue;
+        Scene scene = some_spheres();
+        scene.settings.shading = Shading::diffuse;
+        fault.put(scene);
+        EXPECT_EQ(scene.settings.shading, Shading::diffuse);
+    }
+}
+
 // The part of the mistake is not handed in: it costs nothing more.
 TEST(OneMistake, CostsNothingMoreThanAMissingPart) {
     const Scene scene = some_spheres();
