@@ -51,6 +51,7 @@ const GalleryPicture k_gallery[] = {
     {"glint/hall_of_mirrors.glint", "size=160x120", 0x04e811f38623f931},
     {"glint/hall_of_mirrors.glint", "size=160x120 reflections=3", 0xa3c1782ffd0aeb0b},
     {"glint/amber.glint", "size=160x120 aa=2", 0xae47357080cd15bf},
+    {"glint/marbles.glint", "size=160x100 aa=2", 0x14f25b7c31d8ffdd},
     {"glint/glass_of_water.glint", "size=160x120 aa=2", 0xc0226b8cd2d655b5},
     {"glint/highlight_1.glint", "size=100x100", 0x161fe0b150e20575},
     {"glint/highlight_2.glint", "size=100x100", 0x00831f7cac3b1bb1},

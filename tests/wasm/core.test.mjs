@@ -31,7 +31,7 @@ function results(glint, texts) {
     return all;
 }
 
-const inCore = files.filter((name) => !name.includes('/parts/') && !name.includes('only_') && !/(solids|carved|quartics|glass_of_water|amber|pond)[.]glint$/.test(name) && !/[.](gltf|nff|pov)$/.test(name));
+const inCore = files.filter((name) => !name.includes('/parts/') && !name.includes('only_') && !/(solids|carved|quartics|glass_of_water|amber|marbles|pond)[.]glint$/.test(name) && !/[.](gltf|nff|pov)$/.test(name));
 for (const name of inCore) {
     test(`the core has the results of the whole: ${name}`, async () => {
         const glint = await instantiate(core);
