@@ -154,8 +154,9 @@ TEST(CheckCamera, SkewedFrame) {
     // The book's own settings stretch the viewport.
     for (const char* viewport : {"projection_plane_d = 2\n", "viewport_size = 2 x 1\n"}) {
         EXPECT_EQ(ids_of(viewport + lit, "a.cgfs"), "") << viewport;
-        EXPECT_TRUE(has(ids_of(viewport + lit + "camera { position = (0, 0, 0)\n rotation = ((1, 0, 0), (0, 1, "
-                                                "0), (0, 0, 2)) }",
+        EXPECT_TRUE(has(ids_of(viewport + lit +
+                                   "camera { position = (0, 0, 0)\n rotation = ((1, 0, 0), (0, 1, "
+                                   "0), (0, 0, 2)) }",
                                "a.cgfs"),
                         "camera-frame-skewed@4"))
             << viewport;

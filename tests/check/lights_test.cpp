@@ -251,11 +251,12 @@ TEST(CheckLights, ThatTakeLightAway) {
 
 // A direction that is too long makes the picture white: there is nothing else to be said of it.
 TEST(CheckLights, DirectionsThatAreTooLong) {
-    EXPECT_EQ(ids_of("conventions { normalize = false }\ncamera { position = (0, 1.5, 6)  look_at = (0, 1, 0) }\n"
-                     "light { type = directional  to_light = (3, 5, 5)  intensity = 0.8 }\n"
-                     "sphere { center = (0, 1, 0)  radius = 1  color = (0.8, 0.2, 0.1) }\n"
-                     "plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.5, 0.5, 0.5) }\n"),
-              "direction-not-unit@3");
+    EXPECT_EQ(
+        ids_of("conventions { normalize = false }\ncamera { position = (0, 1.5, 6)  look_at = (0, 1, 0) }\n"
+               "light { type = directional  to_light = (3, 5, 5)  intensity = 0.8 }\n"
+               "sphere { center = (0, 1, 0)  radius = 1  color = (0.8, 0.2, 0.1) }\n"
+               "plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.5, 0.5, 0.5) }\n"),
+        "direction-not-unit@3");
 }
 
 TEST(CheckLights, ColorsAsBytes) {

@@ -19,7 +19,8 @@ TEST(CheckNormals, SeenFromBehind) {
     const std::string back = "triangle { <2, 0, -2.5>, <-2, 0, -2.5>, <-3, 4, -2.5>" + k_finish;
     EXPECT_EQ(ids_of(k_pov + front, "a.pov"), "");
     EXPECT_EQ(ids_of(k_pov + front + back, "a.pov"), "seen-from-behind@5");
-    EXPECT_TRUE(has(only_message(k_pov + front + back, "a.pov"), "another flat shape is seen from the front"));
+    EXPECT_TRUE(
+        has(only_message(k_pov + front + back, "a.pov"), "another flat shape is seen from the front"));
     // Without a diffuse term both sides look the same.
     EXPECT_EQ(
         ids_of(k_pov + "plane { <0, -1, 0>, 0 pigment { color rgb <0.4, 0.5, 0.4> } finish { ambient 0.2 "

@@ -289,6 +289,9 @@ TEST(Misuse, TexturesWithoutImages) {
     Texture texture;
     texture.alpha = static_cast<TextureAlpha>(77);
     EXPECT_FALSE(texture.has_alpha()) << "it has no image";
+    EXPECT_TRUE(texture.needs_uv());
+    texture.mapping = static_cast<TextureMapping>(99);
+    EXPECT_FALSE(texture.needs_uv());
     EXPECT_FALSE(texture.has_holes());
     EXPECT_EQ(texture.opacity(k_nan), 1);
     EXPECT_EQ(texture.own_opacity(k_nan), 1);
