@@ -86,10 +86,6 @@ void check_handedness(CheckContext& context) {
         "negate the camera's right vector");
 }
 
-}  // namespace
-
-namespace {
-
 // What to do about a camera that looks at the middle of the shapes and sees none of them. along: its
 // distance.
 std::string remedy_of_unseen(const CheckContext& context, const Bounds& all, double along, bool planes) {
