@@ -119,6 +119,16 @@ export async function until(read, isExpected) {
     }
 }
 
+/** What `read` gives once it has been the same for half a second. */
+export async function steady(read) {
+    let last, since = 0;
+    return until(async () => {
+        const value = await read();
+        if (value !== last) [last, since] = [value, Date.now()];
+        return value;
+    }, () => Date.now() - since >= 500);
+}
+
 /** SHA-256 of a canvas's red, green and blue bytes, and its size. */
 export async function hashOf(locator) {
     const {width, height, bytes} = await locator.evaluate(async (canvas) => {

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
-import {book, choose, clickPicture, picture, sceneText, settled, until, withPage} from './browser.mjs';
+import {book, choose, clickPicture, picture, sceneText, settled, steady, until, withPage} from './browser.mjs';
 
 const focused = (page) => page.evaluate(() => {
     const {activeElement: now} = document;
@@ -152,6 +152,8 @@ test('on a touch screen one finger scrolls over the view in space, and two turn 
     await send('touchEnd');
     assert.notEqual(await until(() => page.evaluate(() => scrollY), (now) => now > scrolled + 20), scrolled);
     assert.equal(await lines(), before);
+    // A quick finger leaves the page scrolling for a while, and the next touch would only stop it.
+    await steady(() => page.evaluate(() => scrollY));
     const now = await view.boundingBox();
     const then = (x, y, id) => ({x: now.x + x * now.width, y: now.y + y * now.height, id});
     await send('touchStart', then(0.3, 0.9, 0));
