@@ -45,6 +45,19 @@ void scale_light(Light& light, double factor) {
     light.color = light.color * factor;
     light.specular_color = light.specular_color * factor;
 }
+bool has_colored_light(const Scene& s) {
+    return is_lit(s) && any_light(s, [](const Light& l) {
+               return !is_ambient(l) && (l.color.r != l.color.g || l.color.g != l.color.b);
+           });
+}
+void make_lights_grey(Scene& s, double (*level)(const Color&)) {
+    for_each_light(s, [=](Light& l) {
+        for (Color* const color : {&l.color, &l.specular_color}) {
+            const double grey = level(*color);
+            *color = {grey, grey, grey};
+        }
+    });
+}
 void scale_all_lights(Scene& s, double factor) {
     for (Light& light : s.lights) scale_light(light, factor);
 }
@@ -136,6 +149,11 @@ constexpr SceneFault k_lighting[] = {
      .put = swap_model,
      .scale = scale_exponents,
      .scale_text = other_model_text},
+    {"light-color-ignored", has_colored_light, [](Scene& s) { make_lights_grey(s, largest); },
+     "The color of lights is ignored, and they are white: multiply each channel by the light's own."},
+    {"light-color-ignored", has_colored_light,
+     [](Scene& s) { make_lights_grey(s, [](const Color& c) { return c.r; }); },
+     "The first channel of a light's color is used for all three: multiply each channel by the light's own."},
     {"highlight-not-light-color", has_highlights,
      [](Scene& s) { for_each_light(s, [](Light& l) {
                         l.specular_color = {1, 1, 1};

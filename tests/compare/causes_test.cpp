@@ -54,6 +54,13 @@ std::string with_white_highlights(const std::string& text) {
     return out == text ? with_light_words(text, "specular_color = (1, 1, 1)") : out;
 }
 
+std::string with_warm_lights(const std::string& text) {
+    return with_light_words(text, "color = (1, 0.6, 0.3)");
+}
+std::string with_green_lights(const std::string& text) {
+    return with_light_words(text, "color = (0.4, 1, 0.8)");
+}
+
 std::string without_last_light(const std::string& text) {
     const std::size_t at = text.rfind("\nlight");
     return text.substr(0, at) + text.substr(text.find("}\n", at) + 1);
@@ -99,6 +106,12 @@ const Plant k_plants[] = {
     {"mirrors see black", "mirror-miss-black", key("mirror_miss", "black")},
     {"mirrors add", "mirror-added", key("mirror", "add")},
     {"white highlights", "highlight-not-light-color", with_white_highlights},
+    {"white lights", "light-color-ignored", pattern("color = \\(1, 0.6, 0.3\\)", "color = (1, 1, 1)"),
+     with_warm_lights},
+    {"lights of the first channel", "light-color-ignored",
+     pattern("color = \\(0.4, 1, 0.8\\)", "color = (0.4, 0.4, 0.4)"), with_green_lights},
+    {"half the warm light", "light-intensity", [](const std::string& text) { return with_light(text, 0.5); },
+     with_warm_lights},
     {"light from behind", "back-sides-lit", key("clamp_cosines", "false")},
     {"highlights behind", "highlight-behind", key("specular_gate", "false"),
      [](const std::string& text) {  // else they lie in their own shape's shadow, or are too small
