@@ -93,6 +93,7 @@ int grade_pictures(const GradeArguments& arguments, const Scene* scene, const Im
             if (entry.error.empty()) {
                 read = try_handed_in(entry.path);
                 entry.error = read ? size_fault(read->image, reference) : read.message;
+                if (read) entry.note = read->note;
             }
             if (read) sizes.add(read->image);
             sheet.set_label(i + 1, fmt::format("{} {}", i + 1, entry.name));

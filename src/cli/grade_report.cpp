@@ -17,16 +17,20 @@ double share(std::uint64_t part, std::uint64_t whole) {
     return whole == 0 ? 1 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-// What a row of the table ends with.
-std::string verdict(const GradedPicture& p) {
-    if (!p.error.empty()) return p.error;
-    if (p.not_finite > 0) return not_finite_text(p.not_finite);
-    if (p.difference.all.equal == p.difference.all.pixels) return "identical";
+std::string likeliest_cause(const GradedPicture& p) {
     if (!p.causes_error.empty()) return p.causes_error;
     if (p.causes.causes.empty()) return p.causes.remark.empty() ? "no classic cause" : p.causes.remark;
     std::string text = cause_text(p.causes.causes.front());
     for (const Cause& cause : p.causes.then) text += " and then " + cause_text(cause);
     return text;
+}
+
+// What a row of the table ends with.
+std::string verdict(const GradedPicture& p) {
+    if (!p.error.empty()) return p.error;
+    if (p.not_finite > 0) return not_finite_text(p.not_finite);
+    if (p.difference.all.equal == p.difference.all.pixels) return "identical";
+    return likeliest_cause(p) + (p.note.empty() ? "" : "; " + p.note);
 }
 
 // All causes in sentences for the student.
@@ -134,6 +138,7 @@ std::string json_table(const std::vector<GradedPicture>& pictures) {
             item["remark"] = p.not_finite > 0          ? nlohmann::ordered_json(not_finite_text(p.not_finite))
                              : p.causes.remark.empty() ? nlohmann::ordered_json(nullptr)
                                                        : nlohmann::ordered_json(p.causes.remark);
+            item["note"] = p.note.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(p.note);
         }
         json.push_back(std::move(item));
     }

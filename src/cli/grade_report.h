@@ -15,6 +15,7 @@ namespace glint::cli {
 struct GradedPicture {
     std::string name, path;
     std::string error;             ///< the reason why there are no figures
+    std::string note;              ///< DecodedImage::note
     std::uint64_t not_finite = 0;  ///< its pixels that are NaN or infinite; then no causes are searched
     PictureDifference difference;
     CauseReport causes;

@@ -61,6 +61,7 @@ HandedIn read_handed_in(FoundFile file) {
     Result<DecodedImage> read = try_handed_in(found.path);
     if (read) {
         found.image = std::move(read->image);
+        found.note = std::move(read->note);
     } else {
         found.error = read.message;
     }

@@ -61,6 +61,7 @@ std::string part_note(const RubricRow& row, const GradedPart& part, bool with_ca
             shares +=
                 fmt::format(", and {} of those that this part changes", share_text(part.score.part_share));
         notes.push_back(std::move(shares));
+        if (!part.note.empty() && part.score.not_finite == 0) notes.push_back(part.note);
         if (with_causes && part.cause) {
             notes.push_back(fmt::format("{}: {}", cause_text(*part.cause), part.cause->explanation));
             for (const Cause& cause : part.then)

@@ -125,6 +125,7 @@ class RubricGrader {
         HandedIn found = submissions_.find(i, row);
         part.path = std::move(found.path);
         part.error = std::move(found.error);
+        part.note = std::move(found.note);
         if (!part.error.empty()) return std::nullopt;
         Faulty faulty{i, std::move(found.image), nullptr, std::nullopt};
         part.error = size_fault(faulty.picture, plain.image);

@@ -18,6 +18,7 @@ struct HandedIn {
     std::string path;   ///< empty: none was handed in
     std::string error;  ///< why there is no picture: "no file *phong*.png", or why it cannot be read
     Image image;
+    std::string note = {};  ///< DecodedImage::note
 };
 
 /// The submissions of a class. The functions are called on the thread of grade_by_rubric().
@@ -48,6 +49,7 @@ struct GradedPart {
     std::optional<Cause> cause;  ///< of the difference
     std::vector<Cause> then;     ///< further causes, together with the first
     std::string remark;          ///< CauseReport::remark, if there is no cause
+    std::string note;            ///< HandedIn::note
     /// The faults of the program with which the picture was judged, because that gives more points; none if
     /// it was judged as it is.
     std::vector<std::string> followed;

@@ -72,6 +72,23 @@ TEST_F(Grade, SaysWhatNoCauseExplains) {
     EXPECT_TRUE(json[1]["causes"].empty());
 }
 
+TEST_F(Grade, SaysThatJpegChangesColors) {
+    draw("right.png", {});
+    draw("in/ada.jpg", {"--no-shadows"});
+    draw("in/ben.png", {"--no-shadows"});
+    const Finished r = grade({"in", "--scene", k_castle, "--reference", "right.png", "--json", "t.json"});
+    EXPECT_EQ(r.code, 0) << r.err;
+    EXPECT_TRUE(contains(r.out, "; JPEG changes colors a little\n")) << r.out;
+    const auto json = nlohmann::json::parse(folder.read("t.json"));
+    EXPECT_EQ(json[0]["note"], "JPEG changes colors a little");
+    EXPECT_EQ(json[1]["note"], nullptr);
+    folder.write("one.rubric", "all 10 *\n");
+    std::filesystem::create_directories(folder.path("of/ada"));
+    std::filesystem::rename(folder.path("in/ada.jpg"), folder.path("of/ada/a.jpg"));
+    const Finished parts = grade({"of", "--scene", k_castle, "--rubric", "one.rubric", "--size", "96x72"});
+    EXPECT_TRUE(contains(parts.out, "; JPEG changes colors a little; ")) << parts.out;
+}
+
 // Compared as bytes, such pixels are black, and 'unlit' would explain them.
 TEST_F(Grade, WhatIsNotANumberIsSaidFirst) {
     const auto write = [&](const char* name, float value, int count) {
