@@ -276,5 +276,15 @@ TEST(PovRaySweeps, ACameraInOneInFogIsWarnedOf) {
     EXPECT_NE(said("<0, 1.5, 0>", "translate y").find("the camera may be inside"), std::string::npos);
 }
 
+// The number of a shape that becomes an operand is then another shape's, or none's.
+TEST(PovRaySweeps, AnOperandIsNotTakenForAnotherShapeAroundTheCamera) {
+    const std::string text =
+        "camera { location <0, 2, -7> look_at 0 }\nfog { distance 5 color rgb 1 }\n"
+        "difference { sphere { 0, 1 } prism { -2, 2, 5, " +
+        k_prism_square + " } pigment { rgb 1 } }\n";
+    EXPECT_EQ(messages(read_povray(text + "sphere { <0, 2, -7>, 3 pigment { rgb 1 } hollow }")), "");
+    EXPECT_EQ(messages(read_povray(text)), "");
+}
+
 }  // namespace
 }  // namespace glint::test

@@ -79,8 +79,9 @@ void SceneBuilder::check_camera_inside() {
     }
 }
 
+// The shapes from `first` on are a whole object: those that become operands of a solid lose their numbers.
 void SceneBuilder::note_inside(const Object& object, const Inherited& own, std::size_t first) {
-    const bool is_inverse = object.is_inverse && !own.in_solid && !own.is_hollow;
+    const bool is_inverse = object.is_inverse && !own.is_hollow;
     const bool has_inside = object.stands_for.empty()
                                 ? object.mesh && object.mesh->has_inside
                                 : object.stands_for != "polygon" && object.stands_for != "height_field";

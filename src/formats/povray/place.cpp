@@ -170,22 +170,23 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
     const std::size_t first = scene_.shapes.size();
     if (object.kind == ObjectKind::group || object.kind == ObjectKind::solid) {
         place_parts(object, own);
-        return note_inside(object, own, first);
+        if (!own.in_solid) note_inside(object, own, first);
+        return;
     }
     if (object.kind == ObjectKind::mesh) {
         place_mesh(object, own, may_be_unseen && encloses_space(object));
-        note_inside(object, own, first);
     } else if (object.kind == ObjectKind::height_field) {
         place_field(object, own);
     } else {
         place_shape(object, own);
-        if (object.is_inverse) note_inside(object, own, first);
     }
     // A mesh of one face is gathered with others.
     if (may_be_unseen && (scene_.shapes.size() > first || object.kind == ObjectKind::mesh))
         clips_.push_back({object.clip, object.clips, first, encloses_space(object)});
     if (own.in_solid || own.clips) finish_operand(object, own, first);
     if (own.in_solid) return;
+    if (object.kind == ObjectKind::mesh || (object.is_inverse && object.kind != ObjectKind::height_field))
+        note_inside(object, own, first);
     if (own.clips && scene_.shapes.size() > first) {
         note_solid(first, own);
     } else {
