@@ -55,13 +55,35 @@ class OneSampleColors {
 
     /// Visits the neighbours of the tile's pixels that are in the picture and not in the tile.
     template <class Visit> void for_each_on_border(const Visit& visit) const {
-        const auto visit_one = [&](int x, int y) {
+        for_each_around([&](int x, int y) {
             if (is_in_picture(x, y)) visit(x, y);
-        };
-        for (int x = 0; x < job_.width; ++x) visit_one(x, -1);
-        for (int x = 0; x < job_.width; ++x) visit_one(x, job_.height);
-        for (int y = 0; y < job_.height; ++y) visit_one(-1, y);
-        for (int y = 0; y < job_.height; ++y) visit_one(job_.width, y);
+        });
+    }
+
+    /// Gives neighbours outside the picture the colors of the tile's pixels, which then do not differ from
+    /// them.
+    void fill_outside() const {
+        for_each_around([&](int x, int y) {
+            if (is_in_picture(x, y)) return;
+            const int nearest_x = number::min(number::max(x, 0), job_.width - 1);
+            const int nearest_y = number::min(number::max(y, 0), job_.height - 1);
+            std::copy_n(at(nearest_x, nearest_y), k_compared, at(x, y));
+        });
+    }
+
+    /// Of up to 8 pixels of a row: bit k_compared i + c is set if number c of pixel x + i differs by more
+    /// than `limit` from that of a neighbour. Bits beyond `width` have no meaning. After fill_outside().
+    HWY_INLINE std::uint32_t differing(int x, int y, int width, double limit) const {
+        std::uint32_t bits = 0;
+        for (int i = 0; i < k_compared * width; i += lane_count<double>()) {
+            const Doubles own = widen(at(x, y) + i);
+            const auto differs = [&](const float* other)
+                                     HWY_ATTR { return abs(own - widen(other + i)) > Doubles(limit); };
+            const auto differ = differs(at(x - 1, y)) || differs(at(x + 1, y)) || differs(at(x, y - 1)) ||
+                                differs(at(x, y + 1));
+            bits |= to_bits(differ) << i;
+        }
+        return bits;
     }
 
     /// The neighbour from which a pixel of the tile differs most.
@@ -88,6 +110,13 @@ class OneSampleColors {
     }
 
   private:
+    template <class Visit> void for_each_around(const Visit& visit) const {
+        for (int x = 0; x < job_.width; ++x) visit(x, -1);
+        for (int x = 0; x < job_.width; ++x) visit(x, job_.height);
+        for (int y = 0; y < job_.height; ++y) visit(-1, y);
+        for (int y = 0; y < job_.height; ++y) visit(job_.width, y);
+    }
+
     const RenderSettings& settings_;
     const TileJob& job_;
     float* const memory_;
@@ -162,16 +191,16 @@ inline void render_adaptive_pixels(const WorldParts& world, const TileJob& job, 
     }
 
     s.refined.count = 0;
-    SampleDifference difference;
-    for_each_row(job, [&](int x, int y, int, int width) {
-        for (int i = x; i < x + width; ++i) {
-            difference = colors.greatest_difference(i, y);
-            if (difference.difference > *world.settings.aa_threshold) s.refined.add(job.x + i, job.y + y);
+    colors.fill_outside();
+    for_each_row(job, [&](int x, int y, int, int width) HWY_ATTR {
+        const std::uint32_t bits = colors.differing(x, y, width, *world.settings.aa_threshold);
+        for (int i = 0; i < width; ++i) {
+            if ((bits >> (k_compared * i) & 15u) != 0) s.refined.add(job.x + x + i, job.y + y);
         }
     });
     const bool refined = s.refined.count > 0;
     s.record = record;
-    if (record != nullptr) record->decide(difference, refined);
+    if (record != nullptr) record->decide(colors.greatest_difference(0, 0), refined);
     if (refined) {
         refine(world, job, s);
     } else if (record != nullptr) {
