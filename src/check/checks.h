@@ -59,6 +59,8 @@ void check_ambient_light(CheckContext& context, const VisibleHits& visible);
 void check_background_shapes(CheckContext& context);
 /// Occlusion that darkens nothing.
 void check_occlusion(CheckContext& context);
+/// Much of a small picture of the scene that is brighter than 1.
+void check_clamped(CheckContext& context, const VisibleHits& visible, const Image& picture);
 /// Findings from a small picture: black, one color, clamped, epsilon, reflections.
 void check_picture(CheckContext& context, const VisibleHits& visible);
 

@@ -18,6 +18,14 @@ inline constexpr double k_half_byte = 0.5 / 255;
 /// The number of pixels in which a channel differs by more than `least`; 0 if the pictures have not one size.
 std::size_t count_differing(const Image& a, const Image& b, double least);
 
+/// The share of pixels for which test(index of the first channel) is true.
+template <class Test> double share_of_pixels(const Image& image, const Test& test) {
+    if (image.rgb.empty()) return 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < image.rgb.size(); i += 3) count += test(i) ? 1 : 0;
+    return 3 * static_cast<double>(count) / static_cast<double>(image.rgb.size());
+}
+
 /// As findings write it: "(1, 2.5, -3)".
 std::string vector_text(Vec3 v);
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Findings from a small picture: black, one color, clamped, changed by another epsilon or one more
-// reflection.
+// Findings from a small picture: black, one color, changed by another epsilon or one more reflection.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -17,36 +15,22 @@ namespace glint {
 namespace {
 
 constexpr std::int32_t k_small_picture = 160;
-constexpr double k_over = 1 + k_half_byte;
 constexpr double k_visible = 8.0 / 255;  // differences in a channel that count
 constexpr double k_usual_brightest = 0.8;
-// Shares of the picture. In the gallery's scenes up to 0.1 is clamped, the sources' epsilons change up to
-// 0.0006, and another reflection changes up to 0.005.
-constexpr double k_max_clamped = 0.125, k_max_acne = 0.005, k_max_changed = 0.0075;
-constexpr double k_min_shape = 0.002;    // of the picture: smaller shapes are not examined one by one
+// Shares of the picture. In the gallery's scenes the sources' epsilons change up to 0.0006, and another
+// reflection changes up to 0.005.
+constexpr double k_max_acne = 0.005, k_max_changed = 0.0075;
 constexpr std::int32_t k_max_more = 64;  // reflections that are tried
-
-// The share of pixels for which test(index of the first channel) is true.
-template <class Test> double share(const Image& image, Test test) {
-    if (image.rgb.empty()) return 0;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < image.rgb.size(); i += 3) count += test(i) ? 1 : 0;
-    return 3 * static_cast<double>(count) / static_cast<double>(image.rgb.size());
-}
 
 double clamped(float x) { return x < 0 ? 0.0 : x > 1 ? 1.0 : static_cast<double>(x); }
 
 // The share of pixels in which two pictures differ by more than `least` in a channel, as they are shown.
 double share_that_differs(const Image& a, const Image& b, double least) {
-    return share(a, [&](std::size_t i) {
+    return share_of_pixels(a, [&](std::size_t i) {
         for (std::size_t c = i; c < i + 3; ++c)
             if (number::abs(clamped(a.rgb[c]) - clamped(b.rgb[c])) > least) return true;
         return false;
     });
-}
-
-bool is_over(const Image& image, std::size_t i) {
-    return image.rgb[i] > k_over || image.rgb[i + 1] > k_over || image.rgb[i + 2] > k_over;
 }
 
 // "300" of 267.
@@ -96,153 +80,6 @@ bool check_one_color(CheckContext& context, const Image& picture) {
             "of the picture is white");
     }
     return true;
-}
-
-// A color of the second table; black if there is none.
-template <auto Member> Color extended_color(const WorldParts& world, std::uint32_t material) {
-    if (!world.uses<Member>()) return {0, 0, 0};
-    const double* k = world.extended_row(material) + k_extended_value<Member>;
-    return {k[0], k[1], k[2]};
-}
-
-// The maximum of a shape's material: k_a I_a + k_e + the sum over the lights of k_d I_d + (k_s + k_p) I_s.
-double bound_of(const WorldParts& world, SurfaceId id) {
-    const std::uint32_t material = material_row(world, id);
-    const auto m = surface_values(world, id);
-    const Color ambient{m[k_ambient], m[k_ambient + 1], m[k_ambient + 2]};
-    const Color diffuse{m[k_diffuse], m[k_diffuse + 1], m[k_diffuse + 2]};
-    const Color specular = Color{m[k_specular], m[k_specular + 1], m[k_specular + 2]} +
-                           extended_color<&Material::phong>(world, material);
-    Color sum = ambient * world.ambient + extended_color<&Material::emission>(world, material);
-    for (const Light& light : *world.lights)
-        sum = sum + (diffuse * light.color + specular * light.specular_color) * world.direct;
-    if (world.occlusion) sum = sum + diffuse * world.occlusion->color;
-    return number::max(sum.r, number::max(sum.g, sum.b));
-}
-
-// True if a shape glows on purpose: its ambient term and its emission alone are above 1.
-bool glows(const WorldParts& world, SurfaceId id) {
-    const std::uint32_t material = material_row(world, id);
-    const auto m = surface_values(world, id);
-    const Color glow = Color{m[k_ambient], m[k_ambient + 1], m[k_ambient + 2]} * world.ambient +
-                       extended_color<&Material::emission>(world, material);
-    return number::max(glow.r, number::max(glow.g, glow.b)) > k_over;
-}
-
-// Whether a finding about the material's own numbers says why it is clamped.
-bool is_explained(const CheckContext& context, std::uint32_t material) {
-    return context.is_reported("material-color-255", SceneItem::material, material) ||
-           context.is_reported("shininess-zero", SceneItem::material, material) ||
-           context.is_reported("shininess-too-small", SceneItem::material, material);
-}
-
-// Shapes that are clamped on most of their pixels; one finding for those of one material. over_at: by the
-// number of a camera ray.
-template <class Test>
-void check_clamped_shapes(CheckContext& context, const VisibleHits& visible, Test over_at) {
-    struct Count {
-        std::size_t all = 0, over = 0;
-        std::uint32_t material = 0;
-        SurfaceId surface;
-    };
-    std::map<std::uint32_t, Count> counts;
-    for (const SurfaceHit& h : visible.seen()) {
-        Count& count = counts[h.shape];
-        count.material = h.material;
-        count.surface = h.surface;
-        ++count.all;
-        count.over += over_at(h.ray) ? 1 : 0;
-    }
-    struct Clamped {
-        std::vector<std::uint32_t> shapes;
-        std::size_t all = 0, over = 0;
-        double bound = 0;
-    };
-    std::map<std::uint32_t, Clamped> materials;
-    for (const auto& [shape, count] : counts) {
-        if (static_cast<double>(count.all) < k_min_shape * static_cast<double>(visible.rays())) continue;
-        if (2 * count.over <= count.all || glows(context.world(), count.surface) ||
-            is_explained(context, count.material))
-            continue;
-        Clamped& clamped = materials[count.material];
-        clamped.shapes.push_back(shape);
-        clamped.all += count.all;
-        clamped.over += count.over;
-        clamped.bound = number::max(clamped.bound, bound_of(context.world(), count.surface));
-    }
-    for (const auto& [material, clamped] : materials) {
-        // What is reflected makes it bright, not the lights.
-        if (clamped.bound <= k_over) continue;
-        const bool single = clamped.shapes.size() == 1;
-        context.report(
-            "picture-clamped", context.at_shape(clamped.shapes.front()),
-            fmt::format(
-                "{} {} brighter than 1 and {} clamped on {:.2g}% of what is visible of {}: the k_a I_a + "
-                "the sum over the lights of k_d I_d + k_s I_s of {} can come to {:.3g}",
-                single ? context.shape(clamped.shapes.front()) : context.some_shapes(clamped.shapes),
-                single ? "is" : "are", single ? "is" : "are",
-                100 * static_cast<double>(clamped.over) / static_cast<double>(clamped.all),
-                single ? "it" : "them", context.material(material), clamped.bound),
-            "lower the lights' intensities or the material's coefficients until their sum is about 1");
-    }
-}
-
-void check_clamped(CheckContext& context, const VisibleHits& visible, const Image& picture) {
-    const double over = share(picture, [&](std::size_t i) { return is_over(picture, i); });
-    if (over == 0 || context.is_reported("light-color-255") || context.is_reported("light-written-twice"))
-        return;
-    const Scene& scene = context.scene();
-    const auto columns = static_cast<std::size_t>(visible.size.width),
-               rows = static_cast<std::size_t>(visible.size.height);
-    const auto width = static_cast<std::size_t>(picture.width),
-               height = static_cast<std::size_t>(picture.height);
-    const auto over_at = [&](std::size_t ray) {
-        return is_over(picture,
-                       3 * (ray / columns * height / rows * width + ray % columns * width / columns));
-    };
-    if (over < k_max_clamped) return check_clamped_shapes(context, visible, over_at);
-    std::vector<std::size_t> pixels(scene.materials.size() + 1);
-    std::size_t background = 0;
-    for (std::size_t ray = 0; ray < visible.rays(); ++ray) background += over_at(ray) ? 1 : 0;
-    for (const SurfaceHit& h : visible.seen()) {
-        if (!over_at(h.ray)) continue;
-        ++pixels[h.material];
-        --background;
-    }
-    const auto most =
-        static_cast<std::uint32_t>(std::max_element(pixels.begin(), pixels.end()) - pixels.begin());
-    const std::string what =
-        fmt::format("{:.2g}% of the picture is brighter than 1 and is clamped", 100 * over);
-    if (background > pixels[most]) {
-        context.report("picture-clamped", context.at_background(), what + ", most of it background",
-                       "darken the background");
-        return;
-    }
-    // The bound is that of unit vectors.
-    if (is_explained(context, most) || context.is_reported("direction-not-unit")) return;
-    double bound = 0;
-    SurfaceId last;
-    for (const SurfaceHit& h : visible.seen()) {
-        if (h.material != most || h.surface == last || !over_at(h.ray)) continue;
-        last = h.surface;
-        bound = number::max(bound, bound_of(context.world(), h.surface));
-    }
-    if (bound <= k_over) {
-        context.report(
-            "picture-clamped", context.at_material(most),
-            fmt::format(
-                "{}, {} most of all: its own light comes to {:.3g} at most, and what it reflects or lets "
-                "through is added",
-                what, context.material(most), bound),
-            "lower the material's mirror, or what the mirror shows");
-        return;
-    }
-    context.report(
-        "picture-clamped", context.at_material(most),
-        fmt::format("{}, {} most of all: its k_a I_a + the sum over the lights of k_d I_d + k_s I_s can come "
-                    "to {:.3g}",
-                    what, context.material(most), bound),
-        "lower the lights' intensities or the material's coefficients until their sum is about 1");
 }
 
 // An epsilon that is far below the scene's size and far above rounding errors, in the offset's unit.
