@@ -31,7 +31,7 @@ constexpr CheckKind k_kinds[] = {
     {"light-adds-nothing", "no material reflects a light"},
     {"light-too-weak", "a light adds less than half of 1/255 to any pixel"},
     {"light-attenuated-away", "attenuation leaves almost nothing of a light"},
-    {"light-written-twice", "two lights are equal"},
+    {"light-written-twice", "two or more lights are equal"},
     {"light-on-surface", "a light is exactly on a surface"},
     {"light-around-shape", "a shape is inside a spherical light"},
     {"ambient-too-strong", "ambient light is almost as bright as the light of the lights"},

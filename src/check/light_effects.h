@@ -44,8 +44,8 @@ class Effects {
 
 /// Colors and intensities that are probably mistakes. False if the light is black.
 bool check_light_color(CheckContext& context, std::uint32_t index);
-/// Lights that are equal to others.
-void check_equal_lights(CheckContext& context);
+/// Lights that are equal to others, or would be but for a tiny difference in their place.
+void check_equal_lights(CheckContext& context, const VisibleHits& visible);
 /// A point light or spot on a surface that blocks light. False if it is: nothing else is said of the light
 /// then.
 bool check_place(CheckContext& context, std::uint32_t index);

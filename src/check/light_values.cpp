@@ -3,6 +3,7 @@
 // contain shapes.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 
 #include "check/light_effects.h"
@@ -16,15 +17,74 @@ namespace glint {
 namespace {
 
 constexpr double k_max_intensity = 10;  // without attenuation; 255 is a byte's
+// Copies are at most this far apart, as a part of the distance to the nearest visible point (radians, for
+// directions); lights with one color that are a lamp together are farther apart.
+constexpr double k_copy_distance = 0.001;
+constexpr std::size_t k_max_compared = 64;  // lights of one color, with each further one
+constexpr std::size_t k_max_copies_named = 3;
 // A millionth of a unit, in a direction that no surface has.
 constexpr Vec3 k_beside{0.5773e-6, 0.6211e-6, 0.5301e-6};
 
-// The kind and the fields that it uses.
-std::vector<std::uint64_t> bits_of(const Light& light) {
+// Whether the field says where a light is, or where it points: copies may differ there by rounding.
+bool is_placing(const ItemField<Light>& field) {
+    return is_field_of(field, &Light::position) || is_field_of(field, &Light::axis) ||
+           is_field_of(field, &Light::to_light);
+}
+
+// The kind and the fields that it uses; those of its place only if they are asked for.
+std::vector<std::uint64_t> bits_of(const Light& light, bool with_place) {
     std::vector<std::uint64_t> bits{static_cast<std::uint64_t>(light.kind)};
-    for (const ItemField<Light>& field : k_light_fields)
-        if (applies(field, light)) visit_bits(field, light, [&](std::uint64_t b) { bits.push_back(b); });
+    for (const ItemField<Light>& field : k_light_fields) {
+        if (applies(field, light) && (with_place || !is_placing(field)))
+            visit_bits(field, light, [&](std::uint64_t b) { bits.push_back(b); });
+    }
     return bits;
+}
+
+bool is_same_direction(Vec3 a, Vec3 b) { return length(b - a) <= k_copy_distance * length(a); }
+
+// Whether two lights, equal in all else, are so near to each other that no visible point could tell them
+// apart.
+bool is_same_place(const Light& a, const Light& b, const VisibleHits& visible) {
+    if (a.has_axis() && !is_same_direction(a.axis, b.axis)) return false;
+    if (a.has_direction()) return is_same_direction(a.to_light, b.to_light);
+    const double apart = length(b.position - a.position);
+    return std::all_of(visible.seen().begin(), visible.seen().end(), [&](const SurfaceHit& h) {
+        return apart <= k_copy_distance * length(h.point - a.position);
+    });
+}
+
+// Lights that are one: the first, and its copies.
+struct EqualLights {
+    std::vector<std::uint32_t> lights;
+    bool to_the_bit = true;
+};
+
+std::vector<EqualLights> find_equal_lights(const Scene& scene, const VisibleHits& visible) {
+    std::vector<EqualLights> all;
+    std::map<std::vector<std::uint64_t>, std::size_t> known;                   // in `all`, by all bits
+    std::map<std::vector<std::uint64_t>, std::vector<std::size_t>> elsewhere;  // by those without the place
+    for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
+        const Light& light = scene.lights[i];
+        if (is_black(light.color) && (!light.has_specular_color() || is_black(light.specular_color)))
+            continue;
+        const auto [at, is_new] = known.emplace(bits_of(light, true), all.size());
+        if (is_new && !light.is_ambient()) {
+            std::vector<std::size_t>& others = elsewhere[bits_of(light, false)];
+            const auto near = std::find_if(others.begin(), others.end(), [&](std::size_t other) {
+                return is_same_place(scene.lights[all[other].lights.front()], light, visible);
+            });
+            if (near != others.end()) {
+                at->second = *near;
+                all[*near].to_the_bit = false;
+            } else if (others.size() < k_max_compared) {
+                others.push_back(all.size());
+            }
+        }
+        if (at->second == all.size()) all.emplace_back();
+        all[at->second].lights.push_back(i);
+    }
+    return all;
 }
 
 Vec3 absolute(Vec3 v) { return {number::abs(v.x), number::abs(v.y), number::abs(v.z)}; }
@@ -78,21 +138,25 @@ bool check_light_color(CheckContext& context, std::uint32_t index) {
     return true;
 }
 
-void check_equal_lights(CheckContext& context) {
-    const Scene& scene = context.scene();
-    std::map<std::vector<std::uint64_t>, std::uint32_t> known;
-    for (std::uint32_t i = 0; i < scene.lights.size(); ++i) {
-        const Light& light = scene.lights[i];
-        if (is_black(light.color) && (!light.has_specular_color() || is_black(light.specular_color)))
-            continue;
-        const auto [first, is_new] = known.emplace(bits_of(light), i);
-        if (is_new) continue;
-        context.report(
-            "light-written-twice", context.at_light(i),
-            fmt::format("{} is equal to {}, also in its place and color: the two are one light of twice "
-                        "the intensity",
-                        context.light(i), context.light_and_line(first->second)),
-            "remove one of them, or move it to its intended place");
+void check_equal_lights(CheckContext& context, const VisibleHits& visible) {
+    constexpr std::string_view k_numbers[] = {"two", "three", "four"},
+                               k_times[] = {"twice", "three times", "four times"};
+    for (const auto& [lights, to_the_bit] : find_equal_lights(context.scene(), visible)) {
+        const std::size_t count = lights.size(), word = count - 2;
+        if (count < 2) continue;
+        std::string copies = context.light(lights[1]);
+        for (std::size_t i = 2; i < count && i <= k_max_copies_named; ++i)
+            copies += (i + 1 == count ? " and " : ", ") + context.light_and_line(lights[i]);
+        if (count > k_max_copies_named + 1)
+            copies += fmt::format(" and {} more", count - k_max_copies_named - 1);
+        const bool named = word < std::size(k_numbers);
+        context.report("light-written-twice", context.at_light(lights[1]),
+                       fmt::format("{} {} equal to {}, {}: the {} are one light of {} the intensity", copies,
+                                   count == 2 ? "is" : "are", context.light_and_line(lights[0]),
+                                   to_the_bit ? "also in place and color" : "and in almost the same place",
+                                   named ? std::string(k_numbers[word]) : fmt::format("{}", count),
+                                   named ? std::string(k_times[word]) : fmt::format("{} times", count)),
+                       "keep one of them, or move the others to their intended places");
     }
 }
 

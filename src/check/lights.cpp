@@ -279,7 +279,7 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
         else if (shading != Shading::diffuse)
             check_ambient(context, i);
     }
-    check_equal_lights(context);
+    check_equal_lights(context, visible);
     check_lights_around(context, visible);
     Effects effects(context);
     std::erase_if(lights, [&](std::uint32_t i) {

@@ -315,6 +315,52 @@ TEST(CheckLights, WrittenTwice) {
             << other;
 }
 
+TEST(CheckLights, WrittenThreeTimesIsOneFinding) {
+    const std::string again = "light { position = (3, 6, 5)  intensity = 0.6 }\n";
+    EXPECT_EQ(ids_of(k_clean + again + again), "light-written-twice@7");
+    const std::string message = only_message(k_clean + again + again);
+    EXPECT_TRUE(has(
+        message,
+        "light 3 and light 4 (line 8) are equal to light 'lamp' (line 3), also in place and color: the three "
+        "are one light of three times the intensity"))
+        << message;
+    EXPECT_TRUE(has(only_message(k_clean + again + again + again + again + again),
+                    "light 3, light 4 (line 8), light 5 (line 9) and 2 more are equal"))
+        << only_message(k_clean + again + again + again + again + again);
+    // Two pairs are two findings.
+    const std::string other = "light { position = (-3, 6, 5)  intensity = 0.1 }\n";
+    EXPECT_EQ(ids_of(k_clean + again + other + other), "light-written-twice@7 light-written-twice@9");
+}
+
+TEST(CheckLights, WrittenTwiceAndMovedByAHair) {
+    const auto twin = [](std::string_view rest) {
+        return ids_of(k_clean + fmt::format("light {{ intensity = 0.6  {} }}\n", rest));
+    };
+    EXPECT_EQ(twin("position = (3, 6, 5.001)"), "light-written-twice@7");
+    const std::string message =
+        only_message(k_clean + "light { intensity = 0.6  position = (3, 6, 5.001) }\n");
+    EXPECT_TRUE(
+        has(message, "light 3 is equal to light 'lamp' (line 3), and in almost the same place: the two"))
+        << message;
+    EXPECT_FALSE(has(twin("position = (3, 6, 5.02)"), "written-twice")) << "beside it";
+    // Suns and spots differ in where they point.
+    const auto pair = [](std::string_view first, std::string_view second) {
+        return ids_of(
+            k_clean +
+            fmt::format("light {{ intensity = 0.2  {} }}\nlight {{ intensity = 0.2  {} }}\n", first, second));
+    };
+    EXPECT_EQ(
+        pair("type = directional  to_light = (1, 2, 1)", "type = directional  to_light = (1, 2, 1.001)"),
+        "light-written-twice@8");
+    EXPECT_EQ(pair("type = directional  to_light = (1, 2, 1)", "type = directional  to_light = (1, 2, 1.02)"),
+              "");
+    const std::string spot = "type = spot  outer_angle = 40  target = (0, 0, 0)  position = ";
+    EXPECT_EQ(pair(spot + "(2, 6, 5)", spot + "(2.001, 6, 5)"), "light-written-twice@8");
+    EXPECT_EQ(
+        pair(spot + "(2, 6, 5)", "type = spot  outer_angle = 40  target = (0.3, 0, 0)  position = (2, 6, 5)"),
+        "");
+}
+
 TEST(CheckLights, SpotAnglesInRadians) {
     const auto spot = [](std::string_view target, std::string_view angles) {
         return k_clean +
