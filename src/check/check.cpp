@@ -34,6 +34,7 @@ constexpr CheckKind k_kinds[] = {
     {"light-written-twice", "two or more lights are equal"},
     {"light-on-surface", "a light is exactly on a surface"},
     {"light-around-shape", "a shape is inside a spherical light"},
+    {"light-only-ambient", "no light but ambient light: the shapes look flat"},
     {"ambient-too-strong", "ambient light is almost as bright as the light of the lights"},
     {"occlusion-reach-too-short", "no shape is within the reach of the occlusion"},
     {"light-without-color", "a light is black"},

@@ -53,6 +53,8 @@ void check_holes(CheckContext& context, const VisibleHits& visible);
 /// Fog that hides everything, and fog that is not visible. False if it hides everything: the other findings
 /// about the picture would then be useless.
 bool check_fog(CheckContext& context);
+/// Ambient light without any other.
+void check_only_ambient(CheckContext& context, const VisibleHits& visible);
 /// Ambient light that is as bright as that of the lights.
 void check_ambient_light(CheckContext& context, const VisibleHits& visible);
 /// Shapes in the color of the background.

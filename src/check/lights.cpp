@@ -280,6 +280,7 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
             check_ambient(context, i);
     }
     check_equal_lights(context, visible);
+    if (shading != Shading::diffuse) check_only_ambient(context, visible);
     check_lights_around(context, visible);
     Effects effects(context);
     std::erase_if(lights, [&](std::uint32_t i) {

@@ -231,6 +231,39 @@ TEST(CheckPicture, AmbientLightThatIsTooStrong) {
     EXPECT_EQ(ids_of(scene("1", "0.8", "0.3")), "");
 }
 
+TEST(CheckPicture, NoLightButAmbientLight) {
+    const auto lit = [](const std::string& rest) {
+        return "camera { position = (0, 2, 8)  look_at = (0, 0.5, 0)  fov_x = 50 }\n"
+               "light { type = ambient  intensity = 0.8 }\n" +
+               rest;
+    };
+    const auto ball = [](const std::string& rest) {
+        return "sphere { center = (0, 1, 0)  radius = 1  color = (0.8, 0.3, 0.2)  ambient = 1  " + rest +
+               " }\n";
+    };
+    const std::string floor = "plane { point = (0, 0, 0)  normal = (0, 1, 0)  ambient = 1 }\n";
+    EXPECT_EQ(ids_of(lit(ball("") + floor)), "light-only-ambient@2");
+    // Nothing to be lit, another light, and light from all directions.
+    EXPECT_EQ(ids_of(lit(ball("diffuse = 0") + floor)), "");
+    EXPECT_EQ(ids_of(lit(ball("") + floor + "light { position = (3, 6, 5)  intensity = 0.2 }\n")), "");
+    EXPECT_EQ(ids_of(lit(ball("") + floor + "occlusion { samples = 16  color = (0.2, 0.2, 0.2) }\n")), "");
+    EXPECT_EQ(ids_of(lit(ball("") + floor + "render { shading = color }\n")), "");
+    // A lamp glows; and a drawing is flat.
+    EXPECT_EQ(
+        ids_of(lit(ball("") + "box { min = (1.5, 0, 0)  max = (2, 1, 1)  ambient = 1  emission = 1 }\n")),
+        "");
+    EXPECT_EQ(ids_of(lit("disc { center = (0, 1, 0)  normal = (0, 0, 1)  radius = 1  ambient = 1 }\n"
+                         "disc { center = (1, 1, 0.1)  normal = (0, 0, 1)  radius = 0.4  color = (0.8, 0.3, "
+                         "0.2)  ambient = 1 }\n")),
+              "");
+    // By the format, which has the ambient light.
+    EXPECT_TRUE(has(ids_of("camera { location <0, 1, 8> up <0, 1, 0> right <1.33, 0, 0> look_at <0, 1, 0> }\n"
+                           "sphere { <0, 1, 0>, 1 pigment { color rgb <0.8, 0.3, 0.2> } finish { ambient 0.5 "
+                           "diffuse 0.7 } }\n",
+                           "a.pov"),
+                    "light-only-ambient@0"));
+}
+
 TEST(CheckPicture, OcclusionWithoutReach) {
     const auto occlusion = [](std::string_view rest) {
         return k_clean + fmt::format("occlusion {{ samples = 32  color = (0.3, 0.3, 0.3)  {} }}\n", rest);
