@@ -21,6 +21,8 @@ constexpr double k_usual_brightest = 0.8;
 // reflection changes up to 0.005.
 constexpr double k_max_acne = 0.005, k_max_changed = 0.0075;
 constexpr std::int32_t k_max_more = 64;  // reflections that are tried
+// Surfaces that a ray passes before it shows what is behind glass, and behind glass that is hollow.
+constexpr std::int32_t k_walls = 2, k_hollow_walls = 4;
 
 double clamped(float x) { return x < 0 ? 0.0 : x > 1 ? 1.0 : static_cast<double>(x); }
 
@@ -138,7 +140,13 @@ void check_epsilon(CheckContext& context, const VisibleHits& visible, const Imag
     }
 }
 
-void check_reflections(CheckContext& context, const Image& picture) {
+bool sees_glass(const WorldParts& world, const VisibleHits& visible) {
+    return std::any_of(visible.seen().begin(), visible.seen().end(), [&](const SurfaceHit& h) {
+        return world.material(h.material)[k_transmission] > 0 || world.is_transparent(h.material);
+    });
+}
+
+void check_reflections(CheckContext& context, const VisibleHits& visible, const Image& picture) {
     const Scene& scene = context.scene();
     const std::int32_t now = scene.settings.reflections;
     const auto render_with = [&](std::int32_t reflections) {
@@ -148,20 +156,31 @@ void check_reflections(CheckContext& context, const Image& picture) {
                                     k_small_picture);
     };
     if (now >= k_max_reflections) return;
-    const double changed = share_that_differs(picture, render_with(now + 1), k_visible);
+    std::int32_t first = 1;  // the fewest further ones that are found to change something
+    double changed = share_that_differs(picture, render_with(now + first), k_visible);
+    // Glass may show nothing until rays have left it.
+    if (now < k_walls && changed < k_max_changed && sees_glass(context.world(), visible)) {
+        while (changed < k_max_changed && first < k_hollow_walls) {
+            first *= 2;
+            changed = share_that_differs(picture, render_with(now + first), k_visible);
+        }
+    }
     if (changed < k_max_changed) return;
-    std::int32_t enough = now + 1;
-    for (std::int32_t more = 1; more <= k_max_more && now + 2 * more < k_max_reflections; more *= 2) {
+    std::int32_t enough = now + first;
+    for (std::int32_t more = first; more <= k_max_more && now + 2 * more < k_max_reflections; more *= 2) {
         enough = now + more;
         if (share_that_differs(render_with(enough), render_with(enough + 1), k_visible) < k_max_changed)
             break;
     }
+    const bool one = first == 1;
     context.report(
         "reflections-too-few", context.at_setting("reflections"),
-        fmt::format("one reflection more than {} changes {:.2g}% of the picture by more than 8 of 255: {}",
-                    now, 100 * changed,
+        fmt::format("{} more than {} {} {:.2g}% of the picture by more than 8 of 255: {}",
+                    one ? "one reflection" : fmt::format("{} reflections", first), now,
+                    one ? "changes" : "change", 100 * changed,
                     now == 0 ? "mirrors and glass are switched off"
-                             : "mirrors or glass are seen in each other past the limit"),
+                    : one    ? "mirrors or glass are seen in each other past the limit"
+                             : "rays enter glass, but do not leave it"),
         fmt::format("set reflections to {}, or let the mirrors reflect, or the glass transmit, less",
                     enough));
 }
@@ -181,7 +200,7 @@ void check_picture(CheckContext& context, const VisibleHits& visible) {
     check_background_shapes(context);
     check_occlusion(context);
     check_epsilon(context, visible, picture);
-    check_reflections(context, picture);
+    check_reflections(context, visible, picture);
 }
 
 }  // namespace glint

@@ -201,6 +201,29 @@ TEST(CheckPicture, MirrorsPastTheLimit) {
     EXPECT_EQ(ids_of(k_mirrors + "render { reflections = 60 }\n"), "");
 }
 
+TEST(CheckPicture, GlassNeedsTwoReflections) {
+    const auto with = [](int reflections, const std::string& rest) {
+        return k_clean + fmt::format("render {{ reflections = {} }}\n", reflections) + rest;
+    };
+    // It has no light of its own: one reflection more changes nothing.
+    const std::string ball =
+        "sphere { center = (0.3, 1, 2)  radius = 0.8  color = (0, 0, 0)  transmission = 0.9  ior = 1.5 }\n";
+    EXPECT_EQ(ids_of(with(0, ball)), "reflections-too-few@7");
+    const std::string message = only_message(with(0, ball));
+    EXPECT_TRUE(has(message, "2 reflections more than 0 change")) << message;
+    EXPECT_TRUE(has(message, "set reflections to 2")) << message;
+    EXPECT_EQ(ids_of(with(1, ball)), "reflections-too-few@7");
+    EXPECT_EQ(ids_of(with(2, ball)), "");
+    const std::string bubble =
+        "sphere { center = (0.3, 1, 2)  radius = 0.7  color = (0, 0, 0)  transmission = 0.9  ior = 0.667 }\n";
+    EXPECT_TRUE(has(ids_of(with(0, ball + bubble)), "reflections-too-few@7"));
+    // A pane is one surface.
+    EXPECT_EQ(ids_of(with(1,
+                          "disc { center = (0.3, 1, 2)  normal = (0, 0, 1)  radius = 0.8  color = (0, 0, 0)  "
+                          "transmission = 0.9 }\n")),
+              "");
+}
+
 TEST(CheckPicture, OneMirrorNeedsOneReflection) {
     EXPECT_EQ(
         ids_of(
