@@ -18,6 +18,8 @@ constexpr double k_over = 1 + k_half_byte;
 // Shares of the picture: up to 0.1 is clamped in the gallery's scenes; smaller shapes than the second are not
 // examined one by one.
 constexpr double k_max_clamped = 0.125, k_min_shape = 0.002;
+// Without any other light, half of white.
+constexpr double k_much_ambient_light = 0.5;
 
 bool is_over(const Image& image, std::size_t i) {
     return image.rgb[i] > k_over || image.rgb[i + 1] > k_over || image.rgb[i + 2] > k_over;
@@ -30,19 +32,42 @@ template <auto Member> Color extended_color(const WorldParts& world, std::uint32
     return {k[0], k[1], k[2]};
 }
 
-// The maximum of a shape's material: k_a I_a + k_e + the sum over the lights of k_d I_d + (k_s + k_p) I_s.
-double bound_of(const WorldParts& world, SurfaceId id) {
+// The maximum of a shape's material: k_a I_a + k_e + the sum over the lights of k_d I_d + (k_s + k_p) I_s;
+// and k_a I_a alone.
+struct Bound {
+    double all = 0, ambient = 0;
+    bool is_much_ambient() const { return ambient >= k_much_ambient_light; }
+    /// Follows "can come to ".
+    std::string text() const {
+        return fmt::format("{:.3g}", all) +
+               (is_much_ambient() ? fmt::format(", of which k_a I_a alone is {:.2g}", ambient) : "");
+    }
+    std::string remedy() const {
+        if (!is_much_ambient())
+            return "lower the lights' intensities or the material's coefficients until their sum is about 1";
+        return std::string(
+                   "lower k_a, or the ambient light: their product is usually 0.05 to 0.3 of the "
+                   "material's color") +
+               (all - ambient > k_over ? "; and lower the other lights' intensities" : "");
+    }
+};
+Bound bound_of(const WorldParts& world, SurfaceId id) {
     const std::uint32_t material = material_row(world, id);
     const auto m = surface_values(world, id);
     const Color ambient{m[k_ambient], m[k_ambient + 1], m[k_ambient + 2]};
     const Color diffuse{m[k_diffuse], m[k_diffuse + 1], m[k_diffuse + 2]};
     const Color specular = Color{m[k_specular], m[k_specular + 1], m[k_specular + 2]} +
                            extended_color<&Material::phong>(world, material);
-    Color sum = ambient * world.ambient + extended_color<&Material::emission>(world, material);
+    const Color own = ambient * world.ambient;
+    Color sum = own + extended_color<&Material::emission>(world, material);
     for (const Light& light : *world.lights)
         sum = sum + (diffuse * light.color + specular * light.specular_color) * world.direct;
     if (world.occlusion) sum = sum + diffuse * world.occlusion->color;
-    return number::max(sum.r, number::max(sum.g, sum.b));
+    return {brightest(sum), brightest(own)};
+}
+
+void take_larger(Bound& to, const Bound& bound) {
+    if (bound.all > to.all) to = bound;
 }
 
 // True if a shape glows on purpose: its ambient term and its emission alone are above 1.
@@ -51,7 +76,7 @@ bool glows(const WorldParts& world, SurfaceId id) {
     const auto m = surface_values(world, id);
     const Color glow = Color{m[k_ambient], m[k_ambient + 1], m[k_ambient + 2]} * world.ambient +
                        extended_color<&Material::emission>(world, material);
-    return number::max(glow.r, number::max(glow.g, glow.b)) > k_over;
+    return brightest(glow) > k_over;
 }
 
 // Whether a finding about the material's own numbers says why it is clamped.
@@ -81,7 +106,7 @@ void check_clamped_shapes(CheckContext& context, const VisibleHits& visible, Tes
     struct Clamped {
         std::vector<std::uint32_t> shapes;
         std::size_t all = 0, over = 0;
-        double bound = 0;
+        Bound bound;
     };
     std::map<std::uint32_t, Clamped> materials;
     for (const auto& [shape, count] : counts) {
@@ -93,22 +118,22 @@ void check_clamped_shapes(CheckContext& context, const VisibleHits& visible, Tes
         clamped.shapes.push_back(shape);
         clamped.all += count.all;
         clamped.over += count.over;
-        clamped.bound = number::max(clamped.bound, bound_of(context.world(), count.surface));
+        take_larger(clamped.bound, bound_of(context.world(), count.surface));
     }
     for (const auto& [material, clamped] : materials) {
         // What is reflected makes it bright, not the lights.
-        if (clamped.bound <= k_over) continue;
+        if (clamped.bound.all <= k_over) continue;
         const bool single = clamped.shapes.size() == 1;
         context.report(
             "picture-clamped", context.at_shape(clamped.shapes.front()),
             fmt::format(
                 "{} {} brighter than 1 and {} clamped on {:.2g}% of what is visible of {}: the k_a I_a + "
-                "the sum over the lights of k_d I_d + k_s I_s of {} can come to {:.3g}",
+                "the sum over the lights of k_d I_d + k_s I_s of {} can come to {}",
                 single ? context.shape(clamped.shapes.front()) : context.some_shapes(clamped.shapes),
                 single ? "is" : "are", single ? "is" : "are",
                 100 * static_cast<double>(clamped.over) / static_cast<double>(clamped.all),
-                single ? "it" : "them", context.material(material), clamped.bound),
-            "lower the lights' intensities or the material's coefficients until their sum is about 1");
+                single ? "it" : "them", context.material(material), clamped.bound.text()),
+            clamped.bound.remedy());
     }
 }
 
@@ -147,29 +172,29 @@ void check_clamped(CheckContext& context, const VisibleHits& visible, const Imag
     }
     // The bound is that of unit vectors.
     if (is_explained(context, most) || context.is_reported("direction-not-unit")) return;
-    double bound = 0;
+    Bound bound;
     SurfaceId last;
     for (const SurfaceHit& h : visible.seen()) {
         if (h.material != most || h.surface == last || !over_at(h.ray)) continue;
         last = h.surface;
-        bound = number::max(bound, bound_of(context.world(), h.surface));
+        take_larger(bound, bound_of(context.world(), h.surface));
     }
-    if (bound <= k_over) {
+    if (bound.all <= k_over) {
         context.report(
             "picture-clamped", context.at_material(most),
             fmt::format(
                 "{}, {} most of all: its own light comes to {:.3g} at most, and what it reflects or lets "
                 "through is added",
-                what, context.material(most), bound),
+                what, context.material(most), bound.all),
             "lower the material's mirror, or what the mirror shows");
         return;
     }
     context.report(
         "picture-clamped", context.at_material(most),
         fmt::format("{}, {} most of all: its k_a I_a + the sum over the lights of k_d I_d + k_s I_s can come "
-                    "to {:.3g}",
-                    what, context.material(most), bound),
-        "lower the lights' intensities or the material's coefficients until their sum is about 1");
+                    "to {}",
+                    what, context.material(most), bound.text()),
+        bound.remedy());
 }
 
 }  // namespace glint

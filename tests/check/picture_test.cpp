@@ -73,6 +73,27 @@ plane { point = (0, 0, 0)  normal = (0, 1, 0)  material = floor }
     EXPECT_EQ(ids_of("background = (1.5, 1.5, 1.5)\n" + k_clean), "picture-clamped@1");
 }
 
+TEST(CheckPicture, ClampedByAmbientLight) {
+    const auto floor = [](std::string_view ambient, std::string_view light) {
+        return only_message(fmt::format(
+            "camera {{ position = (0, 2, 8)  look_at = (0, 0.5, 0)  fov_x = 50 }}\n"
+            "light {{ type = ambient  intensity = 1 }}\nlight {{ position = (3, 6, 5)  intensity = {} }}\n"
+            "plane {{ point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.9, 0.9, 0.9)  ambient = {}  diffuse "
+            "= 1 "
+            "}}\n",
+            light, ambient));
+    };
+    const std::string usual = "0.05 to 0.3 of the material's color", others = "lower the other lights'";
+    std::string message = floor("1", "0.9");
+    EXPECT_TRUE(has(message, "can come to 1.71, of which k_a I_a alone is 0.9")) << message;
+    EXPECT_TRUE(has(message, usual) && !has(message, others)) << message;
+    message = floor("1", "1.5");
+    EXPECT_TRUE(has(message, usual) && has(message, others)) << message;
+    // The lights alone.
+    message = floor("0.2", "1.9");
+    EXPECT_TRUE(has(message, "[picture-clamped]") && !has(message, usual)) << message;
+}
+
 TEST(CheckPicture, AShapeMayNotBeAllClamped) {
     const std::string white = R"(camera { position = (0, 0, 8)  look_at = (0, 0, 0)  fov_x = 60 }
 light { type = ambient  intensity = 1 }
