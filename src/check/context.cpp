@@ -216,8 +216,18 @@ std::string CheckContext::shape(std::uint32_t i) const {
 std::string CheckContext::shape_and_line(std::uint32_t i) const {
     return shape(i) + line_of(scene_.shape_texts.place(i));
 }
+bool CheckContext::is_implied_light(std::uint32_t i) const {
+    return !scene_.light_texts.places.empty() && scene_.light_texts.place(i).line == 0;
+}
 std::string CheckContext::light(std::uint32_t i) const {
-    return item("light", i, scene_.light_texts.name(i));
+    const std::string_view name = scene_.light_texts.name(i);
+    if (!name.empty()) return item("light", i, name);
+    if (is_implied_light(i))
+        return fmt::format("the {} light of the format", to_string(scene_.lights[i].kind));
+    std::uint32_t implied = 0;
+    for (std::uint32_t before = 0; before < i; ++before) implied += is_implied_light(before) ? 1 : 0;
+    // `glint explain` counts them all.
+    return item("light", i - implied, {}) + (implied > 0 ? " of the file" : "");
 }
 std::string CheckContext::light_and_line(std::uint32_t i) const {
     return light(i) + line_of(scene_.light_texts.place(i));

@@ -94,6 +94,8 @@ class CheckContext {
     FindingPlace at_shape(std::uint32_t i) const {
         return {scene_.shape_texts.place(i), SceneItem::shape, i};
     }
+    /// Whether the format adds the light, which has no place in the file, although others have one.
+    bool is_implied_light(std::uint32_t i) const;
     FindingPlace at_setting(std::string_view key) const;
     /// The findings by their places; where there are many of a kind, the first of them and their number.
     std::vector<Finding> take();
@@ -101,6 +103,7 @@ class CheckContext {
     /// "sphere 'ball'" or "sphere 3", and with its line: "sphere 3 (line 7)", if it has one.
     std::string shape(std::uint32_t index) const;
     std::string shape_and_line(std::uint32_t index) const;
+    /// Of the lights that the file has: the format may add another one before them.
     std::string light(std::uint32_t index) const;
     std::string light_and_line(std::uint32_t index) const;
     std::string material(std::uint32_t index) const;

@@ -192,14 +192,9 @@ void report_dark(CheckContext& context, const VisibleHits& visible, Effects& eff
                    blocked_remedy(effects, light, plane));
 }
 
-// An ambient light that the format implies has no place in the file, although other lights have one.
-bool is_implied(const Scene& scene, std::uint32_t index) {
-    return !scene.light_texts.places.empty() && scene.light_texts.place(index).line == 0;
-}
-
 void check_ambient(CheckContext& context, std::uint32_t index) {
     const Scene& scene = context.scene();
-    if (scene.shapes.empty() || is_implied(scene, index)) return;
+    if (scene.shapes.empty() || context.is_implied_light(index)) return;
     for (std::uint32_t i = 0; i < scene.shapes.size(); ++i)
         if (!is_black(context.material_of(i).ambient)) return;
     context.report(

@@ -361,6 +361,26 @@ TEST(CheckLights, WrittenTwiceAndMovedByAHair) {
         "");
 }
 
+// RT2's scenes have an ambient light that is not in the file.
+TEST(CheckLights, AreNumberedAsInTheFile) {
+    const auto lit = [](std::string_view lights) {
+        return only_message(
+            fmt::format(
+                R"({{"camera": {{"position": [0, 2, 8], "target": [0, 1, 0], "up": [0, 1, 0], "fov": 50}},
+"materials": [{{"name": "chalk", "color": [0.8, 0.8, 0.8], "ambient": 0.2, "diffuse": 0.7, "specular": 0, "shininess": 1}}],
+"lights": [{{"position": [3, 6, 5], "color": [0.6, 0.6, 0.6]}},
+           {}],
+"spheres": [{{"center": [0, 1, 0], "radius": 1, "material": "chalk"}}], "planes": [], "cylinders": []}})",
+                lights),
+            "a.json");
+    };
+    std::string message = lit(R"({"position": [0, 1, 0], "color": [0.5, 0.5, 0.5]})");
+    EXPECT_TRUE(has(message, "a.json:4") && has(message, "light 2 of the file is inside sphere 1"))
+        << message;
+    message = lit(R"({"position": [3, 6, 5], "color": [0.6, 0.6, 0.6]})");
+    EXPECT_TRUE(has(message, "light 2 of the file is equal to light 1 of the file (line 3)")) << message;
+}
+
 TEST(CheckLights, SpotAnglesInRadians) {
     const auto spot = [](std::string_view target, std::string_view angles) {
         return k_clean +
