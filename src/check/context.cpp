@@ -210,6 +210,13 @@ std::string CheckContext::line_of(SourcePlace place) const {
                            : fmt::format(" ({}:{})", scene_.files[place.file], place.line);
 }
 
+std::string_view CheckContext::extension_of(SourcePlace place) const {
+    if (place.line == 0 || place.file >= scene_.files.size()) return {};
+    const std::string_view name = scene_.files[place.file];
+    const std::size_t dot = name.rfind('.');
+    return dot == std::string_view::npos ? std::string_view() : name.substr(dot);
+}
+
 std::string CheckContext::shape(std::uint32_t i) const {
     return item(to_string(scene_.shapes[i].kind), i, scene_.shape_texts.name(i));
 }

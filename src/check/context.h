@@ -94,6 +94,8 @@ class CheckContext {
     FindingPlace at_shape(std::uint32_t i) const {
         return {scene_.shape_texts.place(i), SceneItem::shape, i};
     }
+    /// The end of the name of the file that has the place, as ".pov"; nothing for none.
+    std::string_view extension_of(SourcePlace place) const;
     /// Whether the format adds the light, which has no place in the file, although others have one.
     bool is_implied_light(std::uint32_t i) const;
     FindingPlace at_setting(std::string_view key) const;

@@ -44,11 +44,38 @@ void check_material_color(CheckContext& context, std::uint32_t index) {
     }
 }
 
-// A highlight of a material: its color and its exponent.
+// A highlight of a material: its color and its exponent, which .glint calls `key`.
 struct Highlight {
     Color Material::*color;
     double Material::*shininess;
+    std::string_view key;
 };
+
+// A highlight's exponent, as the file has it.
+struct ExponentWords {
+    std::string given, range;  // "shininess 0.5", "a shininess from 1 (wide) to 1000 (small)"
+    std::string_view unlike;   // a sentence about numbers from 0 to 1
+};
+
+ExponentWords exponent_words(const CheckContext& context, std::uint32_t index, const Highlight& highlight) {
+    const double n = context.scene().materials[index].*highlight.shininess;
+    const std::string_view end = context.extension_of(context.at_material(index).place);
+    const bool is_pov = end == ".pov" || end == ".inc", is_second = highlight.color == &Material::phong;
+    if (is_pov && !is_second) {
+        const bool is_csc473 = context.scene().profile == "csc473";
+        const double roughness = is_csc473 ? number::sqrt(2 / (n + 2)) : 1 / n;
+        return {fmt::format("roughness {:.3g}, an exponent of {:.6g}", roughness, n),
+                is_csc473 ? "a roughness from 0.05 (small) to 0.8 (wide)"
+                          : "a roughness from 0.001 (small) to 1 (wide)",
+                ""};
+    }
+    const std::string_view key = is_pov           ? "phong_size"
+                                 : end == ".cgfs" ? "specular"
+                                 : end == ".mtl"  ? "Ns"
+                                                  : highlight.key;
+    return {fmt::format("{} {:.6g}", key, n), fmt::format("a {} from 1 (wide) to 1000 (small)", key),
+            ". It is an exponent, not a number from 0 to 1"};
+}
 
 // The number of pixels in which a material's highlight is visible, with this exponent.
 std::size_t highlight_pixels(CheckContext& context, std::uint32_t index, Highlight highlight,
@@ -67,26 +94,26 @@ std::size_t highlight_pixels(CheckContext& context, std::uint32_t index, Highlig
 void check_shininess(CheckContext& context, std::uint32_t index, std::size_t& looks) {
     const Material& m = context.scene().materials[index];
     const FindingPlace place = context.at_material(index);
-    for (const Highlight highlight : {Highlight{&Material::specular, &Material::shininess},
-                                      Highlight{&Material::phong, &Material::phong_shininess}}) {
+    for (const Highlight highlight :
+         {Highlight{&Material::specular, &Material::shininess, "shininess"},
+          Highlight{&Material::phong, &Material::phong_shininess, "phong_shininess"}}) {
         const double shininess = m.*highlight.shininess;
         if (!(brightest(m.*highlight.color) > 0)) continue;
+        const auto [given, range, unlike] = exponent_words(context, index, highlight);
         if (shininess == 0) {
             return context.report(
                 "shininess-zero", place,
-                fmt::format(
-                    "{} has a highlight of shininess 0: S^0 is 1 wherever the light is, not a highlight",
-                    context.material(index)),
-                "give it a shininess from 1 (wide) to 1000 (small), or no specular coefficient");
+                fmt::format("{} has a highlight of {}: S^0 is 1 wherever the light is, not a highlight",
+                            context.material(index), given),
+                fmt::format("give it {}, or no highlight", range));
         }
         if (shininess < 1) {
             return context.report(
                 "shininess-too-small", place,
-                fmt::format("{} has the shininess {:.3g}: the highlight, (R.V)^{:.3g} or (N.H)^{:.3g}, "
-                            "covers almost all "
-                            "that the light reaches. The shininess is an exponent, not a number from 0 to 1",
-                            context.material(index), shininess, shininess, shininess),
-                "give it a shininess from 1 (wide) to 1000 (small)");
+                fmt::format("{} has the {}: the highlight, (R.V)^{:.3g} or (N.H)^{:.3g}, covers almost all "
+                            "that the light reaches{}",
+                            context.material(index), given, shininess, shininess, unlike),
+                fmt::format("give it {}", range));
         }
         if (shininess <= k_max_shininess || looks == 0) continue;
         --looks;
@@ -94,12 +121,11 @@ void check_shininess(CheckContext& context, std::uint32_t index, std::size_t& lo
         const std::size_t most = k_dot * std::max<std::size_t>(context.world().lights->size(), 1);
         if (now > most || highlight_pixels(context, index, highlight, k_usual_shininess) <= 4 * most)
             continue;
-        return context.report(
-            "shininess-too-large", place,
-            fmt::format("{} has the shininess {:.6g}: its highlights are smaller than a pixel, and {}",
-                        context.material(index), shininess,
-                        now == 0 ? "none is visible" : "at most a dot is visible"),
-            "give it a shininess from 1 (wide) to 1000 (small)");
+        return context.report("shininess-too-large", place,
+                              fmt::format("{} has the {}: its highlights are smaller than a pixel, and {}",
+                                          context.material(index), given,
+                                          now == 0 ? "none is visible" : "at most a dot is visible"),
+                              fmt::format("give it {}", range));
     }
 }
 

@@ -82,6 +82,37 @@ TEST(CheckMaterials, ShininessOutOfRange) {
     EXPECT_EQ(ids_of("render { shading = diffuse }\n" + ball("200000")), "");
 }
 
+TEST(CheckMaterials, TheExponentHasTheNameOfTheFile) {
+    const auto pov = [](std::string_view finish) {
+        return only_message(
+            fmt::format(
+                "#version 3.7;\nglobal_settings {{ assumed_gamma 1 }}\n"
+                "camera {{ location <0, 2, -9> look_at <0, 1, 0> }}\n"
+                "light_source {{ <3, 8, -7> color rgb 0.7 }}\n"
+                "plane {{ y, 0 pigment {{ rgb <0.4, 0.5, 0.4> }} finish {{ ambient 0.1 diffuse 0.7 }} }}\n"
+                "sphere {{ <0, 1, 0>, 1 pigment {{ rgb <0.6, 0.3, 0.2> }} finish {{ ambient 0.1 diffuse "
+                "0.5 {} }} }}\n",
+                finish),
+            "a.pov");
+    };
+    std::string message = pov("specular 0.3 roughness 5");
+    EXPECT_TRUE(has(message, "has the roughness 5, an exponent of 0.2: the highlight") &&
+                has(message, "give it a roughness from 0.001 (small) to 1 (wide)"))
+        << message;
+    message = pov("phong 0.2 phong_size 0.5");
+    EXPECT_TRUE(has(message, "has the phong_size 0.5: ") && has(message, "a phong_size from 1 (wide)"))
+        << message;
+    message = only_message(
+        "sphere { center = (0, 0, 4)  radius = 1  color = (200, 100, 50)  specular = 0.5 }\n"
+        "light { type = point  intensity = 0.3  position = (2, 3, 0) }\n",
+        "a.cgfs");
+    EXPECT_TRUE(has(message, "has the specular 0.5: ") && has(message, "give it a specular from 1 (wide)"))
+        << message;
+    message = only_message(k_clean +
+                           "sphere { center = (0, 1, 2)  radius = 0.8  specular = 0.1  shininess = 0.5 }\n");
+    EXPECT_TRUE(has(message, "has the shininess 0.5: ")) << message;
+}
+
 TEST(CheckMaterials, GlassThatDoesNotRefract) {
     const std::string ball = "sphere { center = (0, 1, 2)  radius = 0.8  diffuse = 0.1  ";
     EXPECT_EQ(ids_of(k_clean + ball + "transmission = 0.9 }\n"), "glass-without-refraction@7");
