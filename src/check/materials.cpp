@@ -184,6 +184,12 @@ void check_finish(CheckContext& context, std::uint32_t index) {
                                                             {m.mirror_metallic > 0, "`mirror_metallic`"}};
     for (const auto& [is_set, key] : of_mirrors)
         if (is_set && !mirrors) report(key, "it is no mirror", "give it a mirror");
+    if (mirrors && brightest(m.mirror_tint) <= 0) {
+        context.report("finish-unused", context.at_material(index),
+                       fmt::format("{} is a mirror, but the mirror's color is black: it reflects nothing",
+                                   context.material(index)),
+                       "give the mirror a color, white to reflect all, or leave the mirror out");
+    }
     if (m.mirror_falloff > 0 && m.mirror_fresnel)
         report("`mirror_falloff`", "mirror_fresnel is true", "leave one of them out");
     if (m.mirror_fresnel && mirrors && m.ior == 1)

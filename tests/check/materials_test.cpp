@@ -60,6 +60,16 @@ TEST(CheckMaterials, FinishesWithoutEffect) {
         EXPECT_EQ(ids_of(k_clean + ball + std::string(used) + " }\n"), "") << used;
 }
 
+TEST(CheckMaterials, ABlackMirror) {
+    const std::string ball =
+        k_clean + "sphere { center = (0, 1, 2)  radius = 0.4  mirror = 0.3  mirror_color = ";
+    EXPECT_EQ(ids_of(ball + "(0, 0, 0) }\n"), "finish-unused@7");
+    EXPECT_TRUE(has(only_message(ball + "(0, 0, 0) }\n"), "the mirror's color is black"));
+    EXPECT_EQ(ids_of(ball + "(0.1, 0, 0) }\n"), "");
+    EXPECT_EQ(ids_of(k_clean + "sphere { center = (0, 1, 2)  radius = 0.4  mirror_color = (0, 0, 0) }\n"), "")
+        << "no mirror";
+}
+
 TEST(CheckMaterials, ShininessOutOfRange) {
     const auto ball = [](std::string_view shininess) {
         return k_clean + fmt::format(
