@@ -10,8 +10,9 @@
 namespace glint {
 namespace {
 
-constexpr double k_max_color = 20;    // 1 is the maximum; a surface that glows may have several times as much
-constexpr double k_min_glass = 0.01;  // transmission
+constexpr double k_max_color = 20;  // 1 is the maximum; a surface that glows may have several times as much
+constexpr double k_max_glow = 100, k_max_byte = 255;  // emission
+constexpr double k_min_glass = 0.01;                  // transmission
 // Exporters write exponents up to 100,000 for small highlights. A highlight of a few pixels is a dot.
 constexpr double k_max_shininess = 1e5, k_usual_shininess = 60;
 constexpr std::size_t k_dot = 5, k_max_looks = 8;
@@ -23,18 +24,27 @@ void check_material_color(CheckContext& context, std::uint32_t index) {
     const FindingPlace place = context.at_material(index);
     const double most =
         number::max(brightest(m.color), number::max(brightest(m.ambient), brightest(m.diffuse)));
+    // Exporters give lamps an emission of 10 or 50, and formats of modelling programs that of renderers in
+    // which it lights other surfaces.
+    const std::string_view end = context.extension_of(place.place);
+    const double glow = end == ".gltf" || end == ".glb" || end == ".mtl" ? 0 : brightest(m.emission);
     if (least(m.color) < 0 || least(m.ambient) < 0 || least(m.diffuse) < 0 || least(m.specular) < 0) {
         context.report("material-negative", place,
                        fmt::format("{} has a color or a coefficient below 0: light makes it darker",
                                    context.material(index)),
                        "give it colors from 0 to 1");
     }
-    if (most > k_max_color) {
-        context.report(
-            "material-color-255", place,
-            fmt::format("{} has a color of {:.4g}, where 1 is the maximum: are these bytes from 0 to 255?",
-                        context.material(index), most),
-            "divide the color by 255");
+    if (most > k_max_color || (glow > k_max_glow && glow <= k_max_byte)) {
+        const auto [term, value] =
+            brightest(m.color) > k_max_color     ? std::pair("color", brightest(m.color))
+            : brightest(m.ambient) > k_max_color ? std::pair("k_a", brightest(m.ambient))
+            : brightest(m.diffuse) > k_max_color ? std::pair("k_d", brightest(m.diffuse))
+                                                 : std::pair("emission", glow);
+        context.report("material-color-255", place,
+                       fmt::format("{} has a channel of {:.4g} in its {}, where 1 is the maximum: are these "
+                                   "bytes from 0 to 255?",
+                                   context.material(index), value, term),
+                       "divide it by 255");
     } else if (most > 0 && most <= k_min_color) {
         context.report(
             "material-almost-black", place,

@@ -26,6 +26,22 @@ TEST(CheckMaterials, ColorsOfTheWrongScale) {
     EXPECT_EQ(ids_of(lit + "sphere { center = (0, 1, 3)  radius = 0.4  color = (0, 0, 0) }\n", "a.cgfs"), "");
 }
 
+TEST(CheckMaterials, TermsAsBytes) {
+    const auto ball = [](std::string_view rest) {
+        return k_clean +
+               fmt::format("sphere {{ center = (0, 1, 2)  radius = 0.4  color = (0.8, 0.5, 0.2)  {} }}\n",
+                           rest);
+    };
+    EXPECT_EQ(ids_of(ball("emission = 255")), "material-color-255@7");
+    EXPECT_TRUE(has(only_message(ball("emission = 255")), "a channel of 204 in its emission")) << ball("");
+    EXPECT_EQ(ids_of(ball("emission_color = (255, 200, 100)")), "material-color-255@7");
+    EXPECT_EQ(ids_of(ball("ambient = 255")), "material-color-255@7");
+    EXPECT_TRUE(has(only_message(ball("ambient = 255")), "a channel of 204 in its k_a"));
+    // A bright lamp.
+    for (const char* lamp : {"emission = 1", "emission = 60", "emission_color = (5000, 5000, 5000)"})
+        EXPECT_EQ(ids_of(ball(lamp)), "") << lamp;
+}
+
 TEST(CheckMaterials, ThatLightMakesDarker) {
     EXPECT_TRUE(has(ids_of(k_clean + "sphere { center = (0, 1, 2)  radius = 0.4  color = (1, -0.5, 0) }\n"),
                     "material-negative@7"));
