@@ -11,6 +11,8 @@ namespace glint {
 
 /// The longest sides of the pictures that are rendered, in pixels.
 inline constexpr std::int32_t k_first_look = 160, k_second_look = 480;
+/// The lights that are rendered alone in pictures of full size.
+inline constexpr std::size_t k_full_looks = 8;
 /// A light that adds less than this to every pixel is hardly visible.
 inline constexpr double k_faint = 0.06;
 
@@ -56,5 +58,8 @@ bool check_spot_angle(CheckContext& context, Effects& effects, std::uint32_t ind
 /// Lights of which attenuation leaves almost nothing. faint: lights that add less than k_faint to any pixel.
 void check_attenuation(CheckContext& context, const VisibleHits& visible, Effects& effects,
                        std::span<const std::uint32_t> faint);
+
+/// Area lights whose picture is the same with a quarter of the samples.
+void check_light_samples(CheckContext& context);
 
 }  // namespace glint

@@ -16,9 +16,7 @@ namespace {
 
 constexpr std::size_t k_max_groups =
     256;  // of lights that are rendered together: one light each, if there are at most 256
-constexpr std::size_t k_full_looks = 8;       // more groups get smaller pictures
-constexpr std::int32_t k_usual_samples = 16;  // the default; they cost little
-constexpr std::size_t k_max_dark = 256;       // whose reasons are looked for
+constexpr std::size_t k_max_dark = 256;  // whose reasons are looked for
 constexpr std::size_t k_max_weak_named = 5;
 constexpr double k_max_leak = 0.01;  // of the picture, and of the points that face the light
 constexpr std::size_t k_max_lit_points = 4096;
@@ -224,42 +222,6 @@ void report_weak(CheckContext& context, Effects& effects, std::span<const std::u
         attenuated ? "raise the intensity, or reduce the attenuation" : "raise the intensity");
 }
 
-// Whether a finding says that a light adds nothing.
-bool is_dark(const CheckContext& context, std::uint32_t index) {
-    constexpr std::string_view k_ids[] = {
-        "light-inside-shape",    "light-behind-everything", "light-behind-plane", "light-blocked",
-        "area-light-faces-away", "light-adds-nothing",      "light-too-weak"};
-    return std::any_of(std::begin(k_ids), std::end(k_ids),
-                       [&](std::string_view id) { return context.is_reported(id, SceneItem::light, index); });
-}
-
-// Area lights whose picture is the same with a quarter of the samples.
-void check_samples(CheckContext& context) {
-    const Scene& scene = context.scene();
-    std::size_t looks = 0;
-    for (std::uint32_t i = 0; i < scene.lights.size() && looks < k_full_looks; ++i) {
-        const Light& light = scene.lights[i];
-        if (!light.is_area() || light.samples_u * light.samples_v <= k_usual_samples) continue;
-        if (is_black(light.color) && is_black(light.specular_color)) continue;
-        if (is_dark(context, i)) continue;
-        ++looks;
-        std::vector<Light> fewer = scene.lights;
-        fewer[i].samples_u = (light.samples_u + 1) / 2;
-        fewer[i].samples_v = (light.samples_v + 1) / 2;
-        const Image few = context.render_small(with_lights(context.prepared(), fewer), k_second_look);
-        const double most = effect_of(context.render_small(k_second_look), few).most;
-        if (!(most < k_half_byte)) continue;
-        context.report(
-            "area-light-too-many-samples", context.at_light(i),
-            fmt::format(
-                "{} has {} x {} samples; the picture with {} x {} differs from it by at most {:.2g} of 255, "
-                "which is not visible",
-                context.light(i), light.samples_u, light.samples_v, fewer[i].samples_u, fewer[i].samples_v,
-                most * 255),
-            fmt::format("set samples_u = {} and samples_v = {}", fewer[i].samples_u, fewer[i].samples_v));
-    }
-}
-
 }  // namespace
 
 void check_lights(CheckContext& context, const VisibleHits& visible) {
@@ -318,7 +280,7 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
     }
     report_weak(context, effects, weak);
     check_attenuation(context, visible, effects, faint);
-    check_samples(context);
+    check_light_samples(context);
 }
 
 }  // namespace glint
