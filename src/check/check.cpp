@@ -28,6 +28,7 @@ constexpr CheckKind k_kinds[] = {
     {"spot-angle-in-radians", "the angles of a spot are so small that they are probably in radians"},
     {"area-light-faces-away", "nothing that the camera sees is on the bright side of an area light"},
     {"area-light-too-many-samples", "an area light has more samples than the picture can show"},
+    {"area-light-one-sample", "an area light has one sample, which shows nothing of its size"},
     {"light-adds-nothing", "no material reflects a light"},
     {"light-too-weak", "a light adds less than half of 1/255 to any pixel"},
     {"light-attenuated-away", "attenuation leaves almost nothing of a light"},

@@ -59,7 +59,7 @@ bool check_spot_angle(CheckContext& context, Effects& effects, std::uint32_t ind
 void check_attenuation(CheckContext& context, const VisibleHits& visible, Effects& effects,
                        std::span<const std::uint32_t> faint);
 
-/// Area lights whose picture is the same with a quarter of the samples.
+/// Area lights whose picture is the same with a quarter of the samples, and those with one.
 void check_light_samples(CheckContext& context);
 
 }  // namespace glint

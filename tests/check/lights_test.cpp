@@ -138,6 +138,26 @@ TEST(CheckLights, AreaLightWithInvisibleSamples) {
     EXPECT_EQ(ids_of(k_clean + panel + "1.5 }\n"), "");
 }
 
+TEST(CheckLights, AreaLightWithOneSample) {
+    const auto lamp = [](std::string_view rest, std::string_view render = "") {
+        return k_clean + fmt::format(
+                             "render {{ {} }}\nlight {{ type = sphere  position = (-3, 5, 5)  intensity = "
+                             "0.4  {} }}\n",
+                             render, rest);
+    };
+    const std::string one = "radius = 0.8  samples_u = 1  samples_v = 1";
+    EXPECT_EQ(ids_of(lamp(one)), "area-light-one-sample@8");
+    EXPECT_TRUE(has(only_message(lamp(one)), "all its light comes from one point"))
+        << only_message(lamp(one));
+    EXPECT_EQ(ids_of(lamp(one + "  jitter = true")), "area-light-one-sample@8");
+    EXPECT_TRUE(has(only_message(lamp(one + "  jitter = true")), "its shadows are noise"));
+    // Several samples of a pixel, a light as small as a point, and no shadows.
+    EXPECT_EQ(ids_of(lamp(one + "  jitter = true", "aa = 3")), "");
+    EXPECT_EQ(ids_of(lamp("radius = 0.001  samples_u = 1  samples_v = 1")), "");
+    EXPECT_EQ(ids_of(lamp(one + "  casts_shadows = false")), "");
+    EXPECT_EQ(ids_of(lamp("radius = 0.8  samples_u = 2  samples_v = 4")), "");
+}
+
 TEST(CheckLights, BlockedByAShape) {
     const std::string text = R"(camera { position = (0, 4, 8)  look_at = (0, 0, 0)  fov_x = 30 }
 light { position = (3, 6, 8)  intensity = 0.7 }
