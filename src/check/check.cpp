@@ -26,6 +26,7 @@ constexpr CheckKind k_kinds[] = {
     {"light-blocked", "every shadow ray to a light is blocked"},
     {"spot-aimed-elsewhere", "nothing that the camera sees is in the cone of a spot"},
     {"spot-angle-in-radians", "the angles of a spot are so small that they are probably in radians"},
+    {"spot-too-tight", "the light of a spot is a dot"},
     {"area-light-faces-away", "nothing that the camera sees is on the bright side of an area light"},
     {"area-light-too-many-samples", "an area light has more samples than the picture can show"},
     {"area-light-one-sample", "an area light has one sample, which shows nothing of its size"},

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What lights add to the picture; spots whose angles are radians, and lights that attenuation makes faint.
+// What lights add to the picture; spots that are dots, and lights that attenuation makes faint.
 #include "check/light_effects.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 #include "math/number.h"
 #include "math/transform.h"
@@ -13,6 +15,8 @@ namespace {
 constexpr double k_max_radians = 1.6;  // a little more than a right angle
 // Shares of the picture, and their ratio: a spot of a degree or two is a dot.
 constexpr double k_max_dot = 0.006, k_min_cone = 0.01, k_min_growth = 10;
+// Exponents of the cosine: with more than the first, a half of the light is within 2 degrees.
+constexpr double k_max_tightness = 1000, k_usual_tightness = 10;
 constexpr double k_max_faint_sum = 0.1;  // of several faint lights
 constexpr double k_min_dimming = 10;     // by attenuation
 constexpr std::size_t k_max_faint_named = 3;
@@ -33,16 +37,24 @@ double nearest_facing(const VisibleHits& visible, const Light& light) {
 
 Effect effect_of(const Image& a, const Image& b) {
     Effect effect;
-    std::size_t visible = 0;
+    if (a.rgb.empty()) return effect;
+    std::vector<double> differences;
     for (std::size_t i = 0; i + 2 < a.rgb.size() && i + 2 < b.rgb.size(); i += 3) {
         double here = 0;
         for (std::size_t c = i; c < i + 3; ++c)
             here =
                 number::max(here, number::abs(static_cast<double>(a.rgb[c]) - static_cast<double>(b.rgb[c])));
         effect.most = number::max(effect.most, here);
-        visible += here >= k_half_byte ? 1 : 0;
+        differences.push_back(here);
     }
-    if (!a.rgb.empty()) effect.share = 3 * static_cast<double>(visible) / static_cast<double>(a.rgb.size());
+    const auto share_from = [&](double least) {
+        return 3 *
+               static_cast<double>(std::count_if(differences.begin(), differences.end(),
+                                                 [&](double d) { return d >= least; })) /
+               static_cast<double>(a.rgb.size());
+    };
+    effect.share = share_from(k_half_byte);
+    if (effect.most > 0) effect.core = share_from(effect.most / 2);
     return effect;
 }
 
@@ -78,6 +90,29 @@ bool check_spot_angle(CheckContext& context, Effects& effects, std::uint32_t ind
             wide.outer_angle, 100 * then),
         fmt::format("write the angles in degrees: {:.3g} instead of {:.4g}", wide.outer_angle,
                     light.outer_angle));
+    return false;
+}
+
+bool check_spot_tightness(CheckContext& context, Effects& effects, std::uint32_t index) {
+    Light light = context.scene().lights[index];
+    if (!light.is_spot() || light.tightness <= k_max_tightness ||
+        context.scene().conventions.spot_falloff != SpotFalloff::cubic)
+        return true;
+    const double tightness = light.tightness;
+    light.specular_color = {0, 0, 0};  // a highlight is a dot, whatever the spot is
+    const double now = effects.of(std::vector{light}, k_first_look).core;
+    light.tightness = k_usual_tightness;
+    const double then = effects.of(std::vector{light}, k_first_look).core;
+    if (now > k_max_dot || then < k_min_cone || then < k_min_growth * now) return true;
+    context.report(
+        "spot-too-tight", context.at_light(index),
+        fmt::format(
+            "{} has the tightness {:.4g}: its light is cos^{:.4g}, {}; with a tightness of {:.0f} it would "
+            "light {:.2g}% of the picture",
+            context.light(index), tightness, tightness,
+            now == 0 ? "of which nothing is visible" : fmt::format("a dot of {:.1g}%", 100 * now),
+            k_usual_tightness, 100 * then),
+        "give it a tightness from 0 to 100; for a narrow beam, a small `outer_angle`");
     return false;
 }
 

@@ -22,6 +22,7 @@ inline bool is_black(Color c) { return c.r == 0 && c.g == 0 && c.b == 0; }
 struct Effect {
     double most = 0;   ///< in a channel of a pixel
     double share = 0;  ///< of the pixels, where it is visible
+    double core = 0;   ///< of the pixels, where it is at least half of the most
 };
 Effect effect_of(const Image& a, const Image& b);
 
@@ -55,6 +56,8 @@ bool check_place(CheckContext& context, std::uint32_t index);
 void check_lights_around(CheckContext& context, const VisibleHits& visible);
 /// A spot whose angles are probably radians. False if they are: nothing else is said of the light then.
 bool check_spot_angle(CheckContext& context, Effects& effects, std::uint32_t index);
+/// A spot so tight that its light is a dot. False if it is.
+bool check_spot_tightness(CheckContext& context, Effects& effects, std::uint32_t index);
 /// Lights of which attenuation leaves almost nothing. faint: lights that add less than k_faint to any pixel.
 void check_attenuation(CheckContext& context, const VisibleHits& visible, Effects& effects,
                        std::span<const std::uint32_t> faint);

@@ -241,7 +241,8 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
     check_lights_around(context, visible);
     Effects effects(context);
     std::erase_if(lights, [&](std::uint32_t i) {
-        return !check_place(context, i) || !check_spot_angle(context, effects, i);
+        return !check_place(context, i) || !check_spot_angle(context, effects, i) ||
+               !check_spot_tightness(context, effects, i);
     });
     const std::size_t groups = std::min(lights.size(), k_max_groups);
     std::int32_t longest = k_first_look;

@@ -49,7 +49,7 @@ bool check_dark(CheckContext& context, const Image& picture) {
     // The lights that light nothing are the reason.
     for (const char* id : {"light-inside-shape", "light-behind-everything", "light-behind-plane",
                            "light-blocked", "light-on-surface", "light-too-weak", "light-attenuated-away",
-                           "spot-aimed-elsewhere", "spot-angle-in-radians"})
+                           "spot-aimed-elsewhere", "spot-angle-in-radians", "spot-too-tight"})
         if (context.is_reported(id)) return true;
     context.report(
         "picture-dark", {}, fmt::format("nothing in the picture is brighter than {:.2g} of 255", 255 * most),

@@ -421,6 +421,24 @@ TEST(CheckLights, SpotAnglesInRadians) {
               "");
 }
 
+TEST(CheckLights, SpotsThatAreDots) {
+    const auto spot = [](double tightness, std::string_view angle = "outer_angle = 40",
+                         std::string_view place = "(0, 6, 5)") {
+        return k_clean + fmt::format(
+                             "light {{ type = spot  position = {}  target = (0, 0.5, 0)  "
+                             "intensity = 0.3  tightness = {}  {} }}\n",
+                             place, tightness, angle);
+    };
+    EXPECT_EQ(ids_of(spot(5000)), "spot-too-tight@7");
+    EXPECT_TRUE(has(only_message(spot(5000)), "has the tightness 5000: its light is cos^5000, a dot of"))
+        << only_message(spot(5000));
+    EXPECT_EQ(ids_of(spot(1e8)), "spot-too-tight@7");
+    EXPECT_EQ(ids_of(spot(100)), "");
+    // From so far away that it lights a ball, and a beam that is narrow whatever the tightness.
+    EXPECT_EQ(ids_of(spot(5000, "outer_angle = 40", "(0, 60, 70)")), "");
+    EXPECT_EQ(ids_of(spot(5000, "inner_angle = 1  outer_angle = 3")), "");
+}
+
 TEST(CheckLights, AttenuatedAway) {
     const auto lamp = [](std::string_view rest) {
         std::string text = k_clean;
