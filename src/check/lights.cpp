@@ -20,6 +20,8 @@ constexpr std::size_t k_max_dark = 256;  // whose reasons are looked for
 constexpr std::size_t k_max_weak_named = 5;
 constexpr double k_max_leak = 0.01;  // of the picture, and of the points that face the light
 constexpr std::size_t k_max_lit_points = 4096;
+constexpr std::size_t k_edge = 1000;  // points of which at most one is on an edge that a light behind reaches
+constexpr double k_handful = 0.0002, k_grazing = 0.15;  // of the picture, and in a channel
 
 // Why points that the camera sees get no light from a light.
 struct Blockage {
@@ -67,6 +69,9 @@ Blockage find_blockage(const CheckContext& context, const VisibleHits& visible, 
     return found;
 }
 
+// Whether next to none of the points faces the light: on an edge, rounding may turn a pixel to it.
+bool is_behind(const Blockage& b) { return k_edge * b.facing <= b.points; }
+
 // The closed shape that encloses a light, or k_none: the light is inside and the visible points are not.
 std::uint32_t case_of(const CheckContext& context, const Light& light, const Blockage& b) {
     const Scene& scene = context.scene();
@@ -99,6 +104,15 @@ bool is_shut_off(const CheckContext& context, const VisibleHits& visible, std::u
            static_cast<double>(b.blocked) >= (1 - k_max_leak) * static_cast<double>(b.reflecting);
 }
 
+// True if the light is behind everything, but for a handful of pixels on edges. A small shape that is turned
+// to the light has more of it.
+bool lights_only_edges(const CheckContext& context, const VisibleHits& visible, Effects& effects,
+                       std::uint32_t index, const Effect& first_look) {
+    return first_look.share < k_handful && first_look.most < k_grazing &&
+           is_behind(find_blockage(context, visible, context.scene().lights[index])) &&
+           effects.of({&index, 1}, k_second_look).share < k_handful;
+}
+
 std::string blocked_remedy(Effects& effects, const Light& light, bool plane) {
     if (light.has_position()) {
         return plane ? "move the light to the other side of the plane"
@@ -125,11 +139,11 @@ void report_dark(CheckContext& context, const VisibleHits& visible, Effects& eff
                         context.shape_and_line(around)),
             "move the light out of the shape");
     }
-    if (b.facing == 0) {
+    if (is_behind(b)) {
         return context.report(
             "light-behind-everything", place,
-            fmt::format("{} is behind every surface that the camera sees: N.L <= 0 at all of {} points", name,
-                        b.points),
+            fmt::format("{} is behind every surface that the camera sees: N.L <= 0 at all {}of {} points",
+                        name, b.facing == 0 ? "" : fmt::format("but {} ", b.facing), b.points),
             light.has_position() ? "move the light to the side of the surfaces that the camera sees"
                                  : "negate the direction: it points from the surface towards the light");
     }
@@ -258,7 +272,9 @@ void check_lights(CheckContext& context, const VisibleHits& visible) {
         const auto group = std::span<const std::uint32_t>(lights).subspan(first, end - first);
         const Effect first_look = effects.of(group, longest);
         if (first_look.most >= k_half_byte) {
-            if (group.size() == 1 && first_look.share < k_max_leak && is_shut_off(context, visible, group[0]))
+            if (group.size() == 1 &&
+                ((first_look.share < k_max_leak && is_shut_off(context, visible, group[0])) ||
+                 lights_only_edges(context, visible, effects, group[0], first_look)))
                 report_dark(context, visible, effects, group[0]);
             else
                 note_if_faint(group, first_look.most);

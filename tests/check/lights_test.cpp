@@ -102,6 +102,23 @@ disc { center = (0, 0, -2)  normal = (0, 0, 1)  radius = 2  color = (0.2, 0.4, 0
               "light-behind-everything@3 light-behind-everything@4");
 }
 
+// It reaches a few pixels of the ball's edge.
+TEST(CheckLights, BehindEverythingButAnEdge) {
+    const auto lit = [](const char* place, const char* more = "") {
+        return ids_of(
+            fmt::format("render {{ size = 320 x 240 }} camera {{ position = (0, 0, 8)  look_at = (0, 0, "
+                        "0)  fov_x = 20 }}\n"
+                        "light {{ position = (2, 3, 8)  intensity = 0.7 }}\n"
+                        "light {{ position = {}  intensity = 0.7 }}\n"
+                        "sphere {{ center = (0, 0, 0)  radius = 1 }}\n{}",
+                        place, more));
+    };
+    EXPECT_EQ(lit("(2.4807, 0, -8.6514)"), "light-behind-everything@3");
+    EXPECT_EQ(lit("(3.0782, 0, -8.4572)"), "") << "a rim";
+    // A moon of a few pixels is lit.
+    EXPECT_EQ(lit("(2.4807, 0, -8.6514)", "sphere { center = (2.8, 0.5, -11)  radius = 0.04 }\n"), "");
+}
+
 TEST(CheckLights, SpotAimedElsewhere) {
     const std::string spot =
         "light \"stage\" { type = spot  position = (3, 6, 5)  intensity = 0.6  outer_angle = ";
