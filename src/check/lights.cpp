@@ -21,7 +21,7 @@ constexpr std::size_t k_max_weak_named = 5;
 constexpr double k_max_leak = 0.01;  // of the picture, and of the points that face the light
 constexpr std::size_t k_max_lit_points = 4096;
 constexpr std::size_t k_edge = 1000;  // points of which at most one is on an edge that a light behind reaches
-constexpr double k_handful = 0.0002, k_grazing = 0.15;  // of the picture, and in a channel
+constexpr double k_handful = 0.0002, k_dim = 0.15;  // of the picture, and in a channel
 
 // Why points that the camera sees get no light from a light.
 struct Blockage {
@@ -108,7 +108,7 @@ bool is_shut_off(const CheckContext& context, const VisibleHits& visible, std::u
 // to the light has more of it.
 bool lights_only_edges(const CheckContext& context, const VisibleHits& visible, Effects& effects,
                        std::uint32_t index, const Effect& first_look) {
-    return first_look.share < k_handful && first_look.most < k_grazing &&
+    return first_look.share < k_handful && first_look.most < k_dim &&
            is_behind(find_blockage(context, visible, context.scene().lights[index])) &&
            effects.of({&index, 1}, k_second_look).share < k_handful;
 }
