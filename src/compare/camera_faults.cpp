@@ -71,6 +71,16 @@ constexpr SceneFault k_camera[] = {
      "Highlights are seen from the origin: V is -P. It is the vector from P to the camera."},
     {"eye-direction-fixed", sees_highlights, fix_eye_direction,
      "Highlights have the same V everywhere, the camera's direction. It is the vector from P to the camera."},
+    {.name = "eye-of-camera-in-mirrors",
+     .applies =
+         [](const Scene& s) {
+             return sees_highlights(s) && has_mirrors(s) && s.camera.projection == Projection::perspective;
+         },
+     .put = [](Scene& s) { s.camera.lighting_eye = s.camera.position; },
+     .explanation =
+         "Highlights in mirrors are seen from the camera: V is the vector from P to where the ray comes "
+         "from, which is the point on the mirror.",
+     .fault = TracerFault::eye_everywhere},
     {.name = "eye-at-origin",
      .applies =
          [](const Scene& s) {

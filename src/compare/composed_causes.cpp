@@ -82,9 +82,6 @@ void add_raw_diffuse(const Scene& scene, std::vector<SceneCause>& causes) {
     causes.push_back(std::move(cause));
 }
 
-namespace {
-
-// 1 where a ray hits a surface, else 0.
 std::optional<Image> surfaces_of(Scene scene, const RenderScene& render) {
     for_each_material(scene, [](Material& m) { m.color = {1, 1, 1}; });
     scene.settings.shading = Shading::color;
@@ -94,8 +91,6 @@ std::optional<Image> surfaces_of(Scene scene, const RenderScene& render) {
     scene.fog.reset();
     return render(scene);
 }
-
-}  // namespace
 
 // Without the color that stands for "no shape" then.
 void add_shown_normals(const Scene& scene, std::vector<SceneCause>& causes) {
@@ -116,73 +111,6 @@ void add_shown_normals(const Scene& scene, std::vector<SceneCause>& causes) {
         return made;
     };
     causes.push_back(std::move(cause));
-}
-
-namespace {
-
-constexpr std::size_t k_max_shadow_lights = 4;  // each is rendered alone
-
-// The light of one light alone on white surfaces without highlights, also from behind: 0 only where it does
-// not reach.
-std::optional<Image> light_of(Scene scene, std::size_t light, const RenderScene& render) {
-    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        if (i != light) switch_off(scene.lights[i]);
-    }
-    for_each_material(scene, [](Material& m) {
-        m.diffuse = {1, 1, 1};
-        m.specular = m.phong = m.emission = {0, 0, 0};
-    });
-    scene.background = {0, 0, 0};
-    scene.gradient.reset();
-    scene.conventions.clamp_cosines = false;
-    return render(scene);
-}
-
-// Where light does not reach: nothing is left at all, or what lights add that do reach.
-enum class Dark : std::uint8_t { black, without_ambient };
-
-}  // namespace
-
-void add_black_shadows(const Scene& scene, std::vector<SceneCause>& causes) {
-    std::vector<std::size_t> lights;
-    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        if (!is_ambient(scene.lights[i]) && !is_off(scene.lights[i])) lights.push_back(i);
-    }
-    if (!has_shadows(scene) || !any_light(scene, is_ambient) || lights.empty() ||
-        lights.size() > k_max_shadow_lights || has_mirrors(scene) || has_glass(scene))
-        return;
-    const auto add = [&](const char* explanation, bool all, Dark dark_is) {
-        SceneCause cause{"shadow-black", explanation, {}};
-        cause.compose = [=](const Scene& s, const RenderScene& render) -> std::optional<Image> {
-            std::optional<Image> made = render(s);
-            const std::optional<Image> surfaces = surfaces_of(s, render);
-            Scene no_ambient = s;
-            std::erase_if(no_ambient.lights, is_ambient);
-            std::optional<Image> left;
-            if (dark_is == Dark::without_ambient) left = render(no_ambient);
-            if (!made || !surfaces || (dark_is == Dark::without_ambient && !left)) return std::nullopt;
-            std::vector<std::size_t> dark(made->rgb.size());
-            for (const std::size_t light : lights) {
-                const std::optional<Image> lit = light_of(s, light, render);
-                if (!lit) return std::nullopt;
-                for (std::size_t i = 0; i < dark.size(); ++i) dark[i] += lit->rgb[i] == 0;
-            }
-            for (std::size_t i = 0; i < dark.size(); ++i) {
-                const bool is_black = dark[i] >= (all ? lights.size() : 1);
-                if (is_black && surfaces->rgb[i] > 0) made->rgb[i] = left ? left->rgb[i] : 0;
-            }
-            return made;
-        };
-        causes.push_back(std::move(cause));
-    };
-    add("Shadows are black: a light that does not reach a point adds nothing, and the ambient term stays.",
-        true, Dark::black);
-    if (lights.size() < 2) return;
-    add("Points are black if any light is in shadow: go on with the next light there, do not return "
-        "black.",
-        false, Dark::black);
-    add("There is no ambient term where any light is in shadow: it does not depend on lights.", false,
-        Dark::without_ambient);
 }
 
 }  // namespace glint

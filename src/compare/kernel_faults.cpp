@@ -18,6 +18,10 @@ constexpr SceneFault k_kernel[] = {
      .applies = [](const Scene& s) { return is_normalized(s) && has_blinn(s); },
      .explanation = "H is not of unit length: normalise L + V before taking N.H.",
      .fault = TracerFault::half_not_unit},
+    {.name = "half-vector-wrong",
+     .applies = has_blinn,
+     .explanation = "H is the direction of L - V: it is that of L + V, where V goes from P to the eye.",
+     .fault = TracerFault::half_of_difference},
     {.name = "normal-not-normalized",
      .applies = is_normalized,
      .explanation = "The normal of a sphere is not of unit length: divide P - C by the radius.",
@@ -36,8 +40,13 @@ constexpr SceneFault k_kernel[] = {
      .applies = is_lit,
      .explanation =
          "The normals of spheres are reversed: N is P - C, not C - P. (Or spheres shade themselves: a shadow "
-         "ray starts at P, not in the sphere.)",
+         "ray starts at P, not in the sphere, and only hits with t > 0 count; or the farther of the two hits "
+         "is taken, not the nearer.)",
      .fault = TracerFault::sphere_normals_reversed},
+    {.name = "normals-reversed",
+     .applies = [](const Scene& s) { return is_lit(s) && s.conventions.facing != Facing::all; },
+     .explanation = "The normals of triangles are reversed: exchange the two vectors of their cross product.",
+     .fault = TracerFault::face_normals_reversed},
     {.name = "reflection-vector-negated",
      .applies = has_phong,
      .explanation = "R points the wrong way: it is 2 N (N.L) - L, where L points to the light.",

@@ -105,11 +105,13 @@ constexpr SceneFault k_lighting[] = {
                         m.specular = m.phong = {0, 0, 0};
                     }); },
      "The specular term is missing, or nowhere large enough to be seen: add k_s I (R.V)^n, or (N.H)^n, for "
-     "every light that reaches the point.",
+     "every light that reaches the point. (Or R is wrong: it is 2 N (N.L) - L; or the power n is not of R.V "
+     "alone.)",
      "the specular term", "specular-scaled", scale_specular},
     {"unlit", is_lit, [](Scene& s) { std::for_each(s.lights.begin(), s.lights.end(), switch_off); },
-     "There is no light at all: surfaces that are hit are black.", "the light of all lights together",
-     "light-intensity", scale_all_lights},
+     "There is no light at all: surfaces that are hit are black. (Or colors become whole numbers before they "
+     "are multiplied by 255.)",
+     "the light of all lights together", "light-intensity", scale_all_lights},
     {"emission-missing",
      [](const Scene& s) {
          return is_lit(s) && any_material(s, [](const Material& m) { return !is_zero(m.emission); });
@@ -126,7 +128,9 @@ constexpr SceneFault k_lighting[] = {
      [](Scene& s) { for_each_light(s, switch_off); },
      "There is only the ambient term. N or L is reversed, so that N.L is below 0 where the surface is lit (a "
      "sphere's N is P - C, not C - P, and L goes from P to the light), or no light is "
-     "added, or all lights stand where they reach nothing that is visible, or are too dim to be seen.",
+     "added, or every shadow ray hits the surface that it starts from (it starts on the wrong side, or goes "
+     "away from the light), or all lights stand where they reach nothing that is visible, or are too dim to "
+     "be seen.",
      "the light of all lights but the ambient one", "light-intensity", scale_lights},
     {"shadows-missing", has_shadows, [](Scene& s) { s.settings.shadows = false; },
      "Shadows are missing: before adding a light, test whether a ray from the point to it hits a surface."},

@@ -61,7 +61,10 @@ void add_single_lights(const Scene& scene, std::vector<SceneCause>& causes) {
     for (const std::uint32_t light : lights) {
         const std::string text = light_text(scene, light);
         causes.push_back({"light-missing",
-                          fmt::format("The light of {} is missing: sum over all lights.", text),
+                          fmt::format("The light of {} is missing: sum over all lights.{}", text,
+                                      scene.lights[light].has_direction()
+                                          ? " (Or its direction is reversed, and shapes block it.)"
+                                          : ""),
                           [light](Scene& s) { switch_off(s.lights[light]); }, text, "light-scaled",
                           [light](Scene& s, double factor) {
                               s.lights[light].color = s.lights[light].color * factor;
@@ -167,7 +170,9 @@ std::vector<SceneCause> scene_causes(const Scene& scene) {
     add(camera_faults());
     add(kernel_faults());
     add_black_shadows(scene, causes);
+    add_shadows_of_other_lights(scene, causes);
     add(shape_faults());
+    add(mixed_up_faults());
     add_reflection_levels(scene, causes);
     add_shifts("shifted-half-pixel", k_half_shift_text, 0.5, false, causes);
     // Alone it is found in the pictures.

@@ -33,10 +33,11 @@ std::span<const SceneFault> light_kind_faults();
 std::span<const SceneFault> tracing_faults();
 std::span<const SceneFault> medium_faults();
 std::span<const SceneFault> texture_faults();
-/// Of the camera; of the kernels; of shapes and the reading of files.
+/// Of the camera; of the kernels; of shapes and the reading of files; of numbers of other items.
 std::span<const SceneFault> camera_faults();
 std::span<const SceneFault> kernel_faults();
 std::span<const SceneFault> shape_faults();
+std::span<const SceneFault> mixed_up_faults();
 
 // ---- What rows ask of a scene, and do to it ----
 

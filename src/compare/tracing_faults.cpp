@@ -22,15 +22,17 @@ std::string mirror_text(double factor, bool about) {
 
 constexpr SceneFault k_tracing[] = {
     {"acne", has_shadows, [](Scene& s) { s.conventions.epsilon = 0; },
-     "Dark specks on lit surfaces (acne): a shadow ray hits the surface that it starts from. Move its origin "
-     "off the surface, or ignore hits with t below a small epsilon."},
+     "Dark specks on lit surfaces (acne): a shadow ray, or a mirror ray, hits the surface that it starts "
+     "from. "
+     "Move its origin off the surface, or ignore hits with t below a small epsilon."},
     {"acne", has_shadows,
      [](Scene& s) {
          s.conventions.offset = Offset::ray;
          s.conventions.epsilon = 0;
      },
-     "Dark specks on lit surfaces (acne): a shadow ray hits the surface that it starts from. Move its origin "
-     "off the surface, or ignore hits with t below a small epsilon."},
+     "Dark specks on lit surfaces (acne): a shadow ray, or a mirror ray, hits the surface that it starts "
+     "from. "
+     "Move its origin off the surface, or ignore hits with t below a small epsilon."},
     {"shadow-past-light", has_shadows, [](Scene& s) { s.conventions.shadow_stops_at_light = false; },
      "Objects behind a light cast a shadow, too: a shadow ray to a point light ends at the light, so only "
      "hits before it (t < distance) count."},
@@ -87,6 +89,22 @@ constexpr SceneFault k_tracing[] = {
     {"mirror-surface-color", has_mirrors,
      [](Scene& s) { for_each_material(s, [](Material& m) { m.mirror_tint = m.mirror_tint * m.diffuse; }); },
      "What mirrors show is multiplied by k_d, too: multiply the reflected color by the coefficient alone."},
+    {"mirror-weights-exchanged",
+     [](const Scene& s) { return has_mirrors(s) && s.conventions.mirror == MirrorRule::blend; },
+     [](Scene& s) {
+         for_each_material(s, [](Material& m) {
+             if (m.mirror > 0) m.mirror = 1 - m.mirror;
+         });
+     },
+     "The weights of mirrors are exchanged: the color is (1 - a) local + a reflected."},
+    {"mirror-not-multiplied", has_mirrors,
+     [](Scene& s) {
+         s.conventions.mirror = MirrorRule::add;
+         for_each_material(s, [](Material& m) {
+             if (m.mirror > 0) m.mirror = 1;
+         });
+     },
+     "The reflected color is added as it is: multiply it by the mirrors' coefficient."},
     {"glass-missing", has_glass,
      [](Scene& s) { for_each_material(s, [](Material& m) { m.transmission = 0; }); },
      "Glass is opaque: follow the refracted ray."},

@@ -9,10 +9,12 @@ enum class TracerFault : std::uint8_t {
     none,
     light_not_unit,            ///< L has the length of the distance
     half_not_unit,             ///< H = L + V
+    half_of_difference,        ///< H is the direction of L - V
     normal_not_unit,           ///< a sphere's N is P - C
     normal_not_unit_anywhere,  ///< the same, and in mirror rays
     normals_reversed,          ///< -N in place of N, for the lighting only
     sphere_normals_reversed,   ///< the same, of spheres only
+    face_normals_reversed,     ///< the same, of triangles and meshes only
     eye_everywhere,            ///< Camera::lighting_eye is used in mirrors and glass, too
     reflection_negated,        ///< -R in place of R, in Phong's model
     specular_times_n_l,        ///< the specular term is multiplied by N.L

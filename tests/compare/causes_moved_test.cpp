@@ -26,7 +26,7 @@ const Moved k_moved[] = {
      "Sphere 2 (\"ball\", line 10) has its centre at (-1.1, 1.3, 0)"},
     {"color = \\(0.9, 0.2, 0.2\\)", "color = (0.3, 0.5, 0.2)", "material-color",
      "has the color (0.3, 0.5, 0.2), and in the reference (0.9, 0.2, 0.2)"},
-    {"mirror = 0.4", "mirror = 0.6", "mirror-scaled", "1.5 times"},
+    {"mirror = 0.4", "mirror = 0.5", "mirror-scaled", "1.25 times"},
     {"intensity = 0.4", "intensity = 0.2", "light-scaled", "Light 3 is 0.5 times"},
 };
 

@@ -50,6 +50,7 @@ const std::vector<Case>& cases() {
     static const std::vector<Case> all = {
         {"light-vector-not-normalized", {.l_raw = true}, true},
         {"half-vector-not-normalized", {.h_raw = true}, true},
+        {"half-vector-wrong", {.h_of_difference = true}, true},
         {"normal-not-normalized", {.n_raw = true}},
         {"normal-not-normalized", {.n_raw = true, .n_raw_in_mirrors = true}, false, true},
         {"not-normalized", {.l_raw = true, .v_raw = true}},
@@ -144,6 +145,20 @@ Image rounded_half_up(Image image) {
         v = static_cast<float>(std::floor(255 * std::clamp(static_cast<double>(v), 0.0, 1.0) + 0.50001) /
                                255);
     return image;
+}
+
+// Most of the difference is that of the background.
+TEST(CausesOfTracers, AFewPixelsAreSeenByProgramsThatRoundDifferently) {
+    const SmallScene scene = row(false, false);
+    const Scene read = read_scene(text_of(scene));
+    Image wrong = rounded_half_up(SmallTracer(scene, {}).draw());
+    for (int y = 0; y < wrong.height; ++y) {
+        for (int c = 0; c < 3; ++c)
+            wrong.rgb[3 * (static_cast<std::size_t>(y + 1) * wrong.width - 1) + c] = 0;
+    }
+    const CauseReport report = *find_causes(wrong, as_file(draw(read)), &read);
+    EXPECT_EQ(first_cause(report), "columns-missing") << all_causes(report);
+    EXPECT_FALSE(report.causes.empty() || report.causes[0].perhaps);
 }
 
 TEST(CausesOfTracers, AreNamedAloneByProgramsThatRoundDifferently) {

@@ -50,7 +50,7 @@ TEST(CausesPairs, WithFittedNumbers) {
          "intensity = 0.3",
          {"ambient-scaled", "light-scaled"}},
         {"intensity = 0.4",
-         "intensity = 0.6",
+         "intensity = 0.7",
          "mirror = 0.4",
          "mirror = 0.2",
          {"light-scaled", "mirror-scaled"}},

@@ -26,11 +26,17 @@ HWY_INLINE Cosines<Doubles> faulty_cosines(const WorldParts& world, const Surfac
             return cosines(normal, to_light, v, rules);
         case TracerFault::half_not_unit:
             return rules.shading == Shading::blinn_phong ? Cosines<Doubles>{c.n_l, dot(normal, l + v)} : c;
+        case TracerFault::half_of_difference:
+            return rules.shading == Shading::blinn_phong
+                       ? Cosines<Doubles>{c.n_l, dot(normal, normalize(l - v))}
+                       : c;
         case TracerFault::normal_not_unit:
         case TracerFault::normal_not_unit_anywhere:
             return cosines(normal * normal_lengths(world, surfaces, i), l, v, rules);
         case TracerFault::sphere_normals_reversed:
             return cosines(normal * normal_signs(world, surfaces, i), l, v, rules);
+        case TracerFault::face_normals_reversed:
+            return cosines(normal * face_normal_signs(world, surfaces, i), l, v, rules);
         case TracerFault::normals_reversed:
             return cosines(-normal, l, v, rules);
         case TracerFault::reflection_negated:

@@ -14,28 +14,43 @@ HWY_BEFORE_NAMESPACE();
 namespace glint {
 namespace HWY_NAMESPACE {
 
-/// of_sphere(radius) of the spheres among a vector of surfaces, 1 of other shapes.
-template <class OfSphere>
+/// factor_of(class, slot) of a vector of surfaces.
+template <class FactorOf>
 HWY_INLINE Doubles normal_factors(const WorldParts& world, const SurfaceBatch& surfaces, int i,
-                                  OfSphere of_sphere) {
+                                  FactorOf factor_of) {
     alignas(k_ray_alignment) double factors[lane_count<double>()];
     for (int k = 0; k < lane_count<double>(); ++k) {
         const std::uint32_t slot = surfaces.slot[static_cast<std::size_t>(i + k)];
-        const ShapeClass& shapes = world.geometry->class_of(slot);
-        const bool is_sphere = shapes.kind == ShapeKind::sphere && !shapes.transformed;
-        factors[k] = is_sphere ? of_sphere(shapes.column(3)[slot - shapes.first]) : 1;
+        factors[k] = factor_of(world.geometry->class_of(slot), slot);
     }
     return load(factors);
 }
 
+inline bool is_plain_sphere(const ShapeClass& shapes) {
+    return shapes.kind == ShapeKind::sphere && !shapes.transformed;
+}
+
 /// |P - C| of spheres.
 HWY_INLINE Doubles normal_lengths(const WorldParts& world, const SurfaceBatch& surfaces, int i) {
-    return normal_factors(world, surfaces, i, [](double radius) { return radius; });
+    return normal_factors(world, surfaces, i, [](const ShapeClass& shapes, std::uint32_t slot) {
+        return is_plain_sphere(shapes) ? shapes.column(3)[slot - shapes.first] : 1.0;
+    });
 }
 
 /// -1 of spheres.
 HWY_INLINE Doubles normal_signs(const WorldParts& world, const SurfaceBatch& surfaces, int i) {
-    return normal_factors(world, surfaces, i, [](double) { return -1.0; });
+    return normal_factors(world, surfaces, i, [](const ShapeClass& shapes, std::uint32_t) {
+        return is_plain_sphere(shapes) ? -1.0 : 1.0;
+    });
+}
+
+/// -1 of triangles and meshes.
+HWY_INLINE Doubles face_normal_signs(const WorldParts& world, const SurfaceBatch& surfaces, int i) {
+    return normal_factors(world, surfaces, i, [](const ShapeClass& shapes, std::uint32_t) {
+        const bool is_face = shapes.kind == ShapeKind::triangle ||
+                             shapes.kind == ShapeKind::smooth_triangle || shapes.kind == ShapeKind::mesh;
+        return is_face ? -1.0 : 1.0;
+    });
 }
 
 }  // namespace HWY_NAMESPACE

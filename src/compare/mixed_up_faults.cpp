@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+// Faults of programs that take a number of another material or light, exchange two, or leave one out.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "compare/scene_faults.h"
+
+namespace glint {
+namespace {
+
+bool has_materials(const Scene& s) { return is_lit(s) && s.materials.size() > 1; }
+bool has_shiny_materials(const Scene& s) { return has_highlights(s) && s.materials.size() > 1; }
+bool has_ambient(const Scene& s) { return is_lit(s) && any_light(s, is_ambient); }
+
+// k of part = k color, by the largest channel of the color.
+double coefficient(const Color& part, const Color& color) {
+    const double most = largest(color);
+    if (most <= 0) return 0;
+    return (most == color.r ? part.r : most == color.g ? part.g : part.b) / most;
+}
+double diffuse_of(const Material& m) { return coefficient(m.diffuse, m.color); }
+Color grey(double level) { return {level, level, level}; }
+
+bool has_colored_highlight(const Material& m) {
+    const double k = coefficient(m.specular, m.color);
+    const Color off = m.specular + m.color * -k;
+    return k > 0 && !(m.color == grey(m.color.r)) && std::abs(off.r) + std::abs(off.g) + std::abs(off.b) < 1e-9;
+}
+
+// k_s, and k_s as a color: highlights are white, or have the surface's color.
+struct Highlights {
+    bool colored;
+    explicit Highlights(const Scene& s) : colored(any_material(s, has_colored_highlight)) {}
+    double of(const Material& m) const {
+        return colored ? coefficient(m.specular, m.color) : largest(m.specular);
+    }
+    Color with(const Material& m, double k) const { return colored ? m.color * k : grey(k); }
+};
+
+// Lights that shine and are not ambient.
+std::size_t count_lights(const Scene& s) {
+    return static_cast<std::size_t>(std::count_if(
+        s.lights.begin(), s.lights.end(), [](const Light& l) { return !is_ambient(l) && !is_off(l); }));
+}
+bool has_two_lights(const Scene& s) { return is_lit(s) && count_lights(s) > 1; }
+
+void keep_highlights_of(Scene& s, std::size_t kept) {
+    std::size_t number = 0;
+    for_each_light(s, [&](Light& l) {
+        if (number++ != kept) l.specular_color = {0, 0, 0};
+    });
+}
+
+bool is_point(const Light& l) { return l.kind == LightKind::point && !is_off(l); }
+bool is_sun(const Light& l) { return l.has_direction() && !is_off(l); }
+bool has_points(const Scene& s) { return is_lit(s) && any_light(s, is_point); }
+bool has_suns(const Scene& s) { return is_lit(s) && any_light(s, is_sun); }
+bool has_both(const Scene& s) {
+    return has_shadows(s) && has_suns(s) &&
+           any_light(s, [](const Light& l) { return l.has_position() && !is_off(l); });
+}
+
+// Copies of the lights, which cast no shadows, take over a part of their light: share(light, copy).
+template <class Share> void light_shadows(Scene& s, const Share& share) {
+    const std::size_t count = s.lights.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (is_ambient(s.lights[i]) || is_off(s.lights[i]) || !s.lights[i].casts_shadows) continue;
+        Light copy = s.lights[i];
+        copy.casts_shadows = false;
+        share(s.lights[i], copy);
+        s.lights.push_back(copy);
+    }
+}
+
+constexpr SceneFault k_mixed_up[] = {
+    {"material-of-another", has_materials,
+     [](Scene& s) { std::fill(s.materials.begin(), s.materials.end(), Material(s.materials.front())); },
+     "All shapes have the first material: use that of the shape that the ray hits."},
+    {"material-of-another", has_materials,
+     [](Scene& s) { std::fill(s.materials.begin(), s.materials.end(), Material(s.materials.back())); },
+     "All shapes have the last material: use that of the shape that the ray hits."},
+    {"material-of-another", has_shiny_materials,
+     [](Scene& s) {
+         for_each_material(s, [n = s.materials.front().shininess](Material& m) { m.shininess = n; });
+     },
+     "All shapes have the exponent of the first material: use that of the shape that the ray hits."},
+    {"material-of-another",
+     [](const Scene& s) { return has_shiny_materials(s) && !is_zero(s.materials.front().specular); },
+     [](Scene& s) {
+         for_each_material(s, [k = s.materials.front().specular](Material& m) { m.specular = k; });
+     },
+     "All shapes have the k_s of the first material: use that of the shape that the ray hits."},
+    {"coefficients-exchanged", has_highlights,
+     [](Scene& s) {
+         for_each_material(s, [highlights = Highlights(s)](Material& m) {
+             const double diffuse = diffuse_of(m);
+             m.diffuse = m.color * highlights.of(m);
+             m.specular = highlights.with(m, diffuse);
+         });
+     },
+     "k_d and k_s are exchanged."},
+    {"coefficients-exchanged", has_highlights,
+     [](Scene& s) { for_each_material(s, [](Material& m) { std::swap(m.diffuse, m.specular); }); },
+     "k_d and k_s are exchanged, with their colors."},
+    {"coefficients-exchanged", has_highlights,
+     [](Scene& s) { for_each_material(s, [](Material& m) { m.diffuse = m.specular; }); },
+     "The diffuse term is multiplied by k_s and its color, not by k_d."},
+    {"coefficients-exchanged", has_highlights,
+     [](Scene& s) {
+         for_each_material(
+             s, [highlights = Highlights(s)](Material& m) { m.diffuse = m.color * highlights.of(m); });
+     },
+     "The diffuse term is multiplied by k_s, not by k_d."},
+    {"coefficients-exchanged", is_lit,
+     [](Scene& s) {
+         for_each_material(s, [highlights = Highlights(s)](Material& m) {
+             m.specular = highlights.with(m, diffuse_of(m));
+         });
+     },
+     "The specular term is multiplied by k_d, not by k_s."},
+    {"mirror-coefficient", [](const Scene& s) { return has_mirrors(s) && has_highlights(s); },
+     [](Scene& s) {
+         for_each_material(s, [highlights = Highlights(s)](Material& m) {
+             if (m.mirror > 0) m.mirror = std::min(highlights.of(m), 1.0);
+         });
+     },
+     "The reflected color is multiplied by k_s, not by the mirrors' own coefficient."},
+    {"coefficients-exchanged", has_ambient,
+     [](Scene& s) { for_each_material(s, [](Material& m) { m.ambient = m.diffuse; }); },
+     "The ambient term is multiplied by k_d, not by k_a."},
+    {"coefficients-exchanged", has_ambient,
+     [](Scene& s) { for_each_material(s, [](Material& m) { m.diffuse = m.ambient; }); },
+     "The diffuse term is multiplied by k_a, not by k_d."},
+    {"diffuse-without-color", is_lit,
+     [](Scene& s) { for_each_material(s, [](Material& m) { m.diffuse = grey(diffuse_of(m)); }); },
+     "The diffuse term is not multiplied by the surface's color."},
+    {"ambient-without-material", has_ambient,
+     [](Scene& s) { for_each_material(s, [](Material& m) { m.ambient = {1, 1, 1}; }); },
+     "Ambient light is added as it is: multiply it by the material's k_a."},
+    {"ambient-without-material", has_ambient,
+     [](Scene& s) { for_each_material(s, [](Material& m) { m.ambient = m.color; }); },
+     "Ambient light is multiplied by the surface's color, but not by k_a."},
+    {"highlight-of-one-light", [](const Scene& s) { return has_highlights(s) && has_two_lights(s); },
+     [](Scene& s) { keep_highlights_of(s, 0); },
+     "Only the first light has highlights: add the specular term for every light."},
+    {"highlight-of-one-light", [](const Scene& s) { return has_highlights(s) && has_two_lights(s); },
+     [](Scene& s) { keep_highlights_of(s, count_lights(s) - 1); },
+     "Only the last light has highlights: add the specular term for every light."},
+    {"light-of-another", has_two_lights,
+     [](Scene& s) {
+         const Light* first = nullptr;
+         for_each_light(s, [&](Light& l) {
+             if (first == nullptr) first = &l;
+             l.color = first->color;
+             l.specular_color = first->specular_color;
+         });
+     },
+     "All lights have the color and the intensity of the first: use those of each light."},
+    {"light-vector", has_points,
+     [](Scene& s) {
+         for_each_light(s, [](Light& l) {
+             if (!is_point(l)) return;
+             l.kind = LightKind::directional;
+             l.to_light = l.position;
+             l.attenuation = {};
+         });
+     },
+     "L is the position of a light: subtract P, as L goes from the point to the light."},
+    {"light-vector", has_suns,
+     [](Scene& s) {
+         for_each_light(s, [](Light& l) {
+             if (!is_sun(l)) return;
+             l.kind = LightKind::point;
+             l.position = l.to_light;
+         });
+     },
+     "P is subtracted from the direction of a directional light: its L is that direction, at every point."},
+    {"shadows-missing", has_both,
+     [](Scene& s) {
+         for_each_light(s, [](Light& l) {
+             if (is_sun(l)) l.casts_shadows = false;
+         });
+     },
+     "Directional lights cast no shadows: test their shadow rays, too, without a limit to t."},
+    {"shadows-missing", has_both,
+     [](Scene& s) {
+         for_each_light(s, [](Light& l) {
+             if (!is_sun(l)) l.casts_shadows = false;
+         });
+     },
+     "Only directional lights cast shadows: test the shadow rays of the other lights, too."},
+    {"shadow-of-one-term", [](const Scene& s) { return has_shadows(s) && has_highlights(s); },
+     [](Scene& s) {
+         light_shadows(s, [](Light& l, Light& copy) { l.specular_color = copy.color = {0, 0, 0}; });
+     },
+     "Shadows darken the diffuse term alone: a light that does not reach a point has no highlight there."},
+    {"shadow-of-one-term", [](const Scene& s) { return has_shadows(s) && has_highlights(s); },
+     [](Scene& s) {
+         light_shadows(s, [](Light& l, Light& copy) { l.color = copy.specular_color = {0, 0, 0}; });
+     },
+     "Shadows remove the highlight alone: a light that does not reach a point has no diffuse term there."},
+    {"shadow-part", has_shadows,
+     [](Scene& s) {
+         light_shadows(s, [](Light& l, Light& copy) {
+             for (Light* const half : {&l, &copy}) {
+                 half->color = half->color * 0.5;
+                 half->specular_color = half->specular_color * 0.5;
+             }
+         });
+     },
+     "Half of a light remains in its shadow: a light that does not reach a point adds nothing."},
+};
+
+}  // namespace
+
+std::span<const SceneFault> mixed_up_faults() { return k_mixed_up; }
+
+}  // namespace glint

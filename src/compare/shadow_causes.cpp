@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+// Faults of programs that combine the shadow rays of several lights, or the ambient term with shadows.
+#include <algorithm>
+
+#include "compare/composed_causes.h"
+#include "compare/scene_faults.h"
+
+namespace glint {
+namespace {
+
+
+constexpr std::size_t k_max_shadow_lights = 4;  // each is rendered alone
+
+// The light of one light alone on white surfaces without highlights, also from behind: 0 only where it does
+// not reach.
+std::optional<Image> light_of(Scene scene, std::size_t light, const RenderScene& render) {
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        if (i != light) switch_off(scene.lights[i]);
+    }
+    scene.lights[light].color = {1, 1, 1};
+    for_each_material(scene, [](Material& m) {
+        m.diffuse = {1, 1, 1};
+        m.specular = m.phong = m.emission = {0, 0, 0};
+    });
+    scene.background = {0, 0, 0};
+    scene.gradient.reset();
+    scene.conventions.clamp_cosines = false;
+    return render(scene);
+}
+
+// The lights whose shadows can be told from the picture; none if there are too many.
+std::vector<std::size_t> shadow_lights(const Scene& scene) {
+    std::vector<std::size_t> lights;
+    if (!has_shadows(scene) || has_mirrors(scene) || has_glass(scene)) return lights;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        if (!is_ambient(scene.lights[i]) && !is_off(scene.lights[i])) lights.push_back(i);
+    }
+    if (lights.size() > k_max_shadow_lights) lights.clear();
+    return lights;
+}
+
+// Where light does not reach: nothing is left at all, or what lights add that do reach.
+enum class Dark : std::uint8_t { black, without_ambient };
+
+}  // namespace
+
+void add_black_shadows(const Scene& scene, std::vector<SceneCause>& causes) {
+    const std::vector<std::size_t> lights = shadow_lights(scene);
+    if (lights.empty() || !any_light(scene, is_ambient)) return;
+    const auto add = [&](const char* explanation, bool all, Dark dark_is) {
+        SceneCause cause{"shadow-black", explanation, {}};
+        cause.compose = [=](const Scene& s, const RenderScene& render) -> std::optional<Image> {
+            std::optional<Image> made = render(s);
+            const std::optional<Image> surfaces = surfaces_of(s, render);
+            Scene no_ambient = s;
+            std::erase_if(no_ambient.lights, is_ambient);
+            std::optional<Image> left;
+            if (dark_is == Dark::without_ambient) left = render(no_ambient);
+            if (!made || !surfaces || (dark_is == Dark::without_ambient && !left)) return std::nullopt;
+            std::vector<std::size_t> dark(made->rgb.size());
+            for (const std::size_t light : lights) {
+                const std::optional<Image> lit = light_of(s, light, render);
+                if (!lit) return std::nullopt;
+                for (std::size_t i = 0; i < dark.size(); ++i) dark[i] += lit->rgb[i] == 0;
+            }
+            for (std::size_t i = 0; i < dark.size(); ++i) {
+                const bool is_black = dark[i] >= (all ? lights.size() : 1);
+                if (is_black && surfaces->rgb[i] > 0) made->rgb[i] = left ? left->rgb[i] : 0;
+            }
+            return made;
+        };
+        causes.push_back(std::move(cause));
+    };
+    add("Shadows are black: a light that does not reach a point adds nothing, and the ambient term stays.",
+        true, Dark::black);
+    if (lights.size() < 2) return;
+    add("Points are black if any light is in shadow: go on with the next light there, do not return "
+        "black.",
+        false, Dark::black);
+    add("There is no ambient term where any light is in shadow: it does not depend on lights.", false,
+        Dark::without_ambient);
+}
+
+namespace {
+
+// What a light adds without shadows.
+std::optional<Image> terms_of(Scene scene, std::size_t light, const RenderScene& render) {
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        if (i != light) switch_off(scene.lights[i]);
+    }
+    for_each_material(scene, [](Material& m) { m.emission = {0, 0, 0}; });
+    scene.settings.shadows = false;
+    scene.background = {0, 0, 0};
+    scene.gradient.reset();
+    if (scene.fog) scene.fog->color = {0, 0, 0};
+    return render(scene);
+}
+
+// The shadow rays that count for a light: its own and those of the lights before it, all, or the first.
+enum class ShadowState : std::uint8_t { so_far, any, first };
+
+}  // namespace
+
+void add_shadows_of_other_lights(const Scene& scene, std::vector<SceneCause>& causes) {
+    const std::vector<std::size_t> lights = shadow_lights(scene);
+    if (lights.size() < 2) return;
+    const auto add = [&](const char* explanation, ShadowState state) {
+        SceneCause cause{"shadow-of-another-light", explanation, {}};
+        cause.compose = [lights, state](const Scene& s, const RenderScene& render) -> std::optional<Image> {
+            Scene unlit = s;
+            for_each_light(unlit, switch_off);
+            std::optional<Image> sum = render(unlit);
+            if (!sum) return std::nullopt;
+            std::vector<Image> terms;
+            std::vector<bool> all(sum->rgb.size(), true), counts;
+            for (const std::size_t light : lights) {
+                std::optional<Image> own = terms_of(s, light, render);
+                const std::optional<Image> reaches = light_of(s, light, render);
+                if (!own || !reaches) return std::nullopt;
+                for (std::size_t i = 0; i < all.size(); ++i) all[i] = all[i] && reaches->rgb[i] != 0;
+                if (light == lights.front()) counts = all;
+                if (state == ShadowState::so_far) counts = all;
+                if (state == ShadowState::any) {
+                    terms.push_back(*std::move(own));
+                    continue;
+                }
+                for (std::size_t i = 0; i < all.size(); ++i) sum->rgb[i] += counts[i] ? own->rgb[i] : 0;
+            }
+            for (const Image& own : terms) {
+                for (std::size_t i = 0; i < all.size(); ++i) sum->rgb[i] += all[i] ? own.rgb[i] : 0;
+            }
+            return sum;
+        };
+        causes.push_back(std::move(cause));
+    };
+    add("A light whose shadow ray is blocked ends the light of the lights after it, too: go on with the next "
+        "one, and begin its test anew.",
+        ShadowState::so_far);
+    add("No light is added where any light is blocked: leave out only the light whose shadow ray is blocked.",
+        ShadowState::any);
+    add("The shadow ray of the first light counts for all lights: each has its own.", ShadowState::first);
+}
+
+}  // namespace glint
