@@ -14,6 +14,7 @@
 #include "compare/picture_causes.h"
 #include "compare/step_agreement.h"
 #include "image/levels.h"
+#include "image/quantize.h"
 
 namespace glint {
 namespace {
@@ -35,6 +36,19 @@ constexpr double k_edges_left = 0.01;
 constexpr double k_second_explains = 0.003;
 // Smaller pictures are done before another thread has begun.
 constexpr std::int64_t k_min_for_threads = 1 << 18;
+// In 255ths: so near to a tie of rounding, another program's number may be on its other side.
+constexpr double k_tie_width = 0.002;
+
+// Whether a number that differs by no more than that becomes this byte.
+bool may_become(float value, const ByteRule& rule, std::uint8_t byte) {
+    for (const double by : {-k_tie_width, k_tie_width}) {
+        const auto moved = static_cast<float>(static_cast<double>(value) + by / 255);
+        std::uint8_t made = 0;
+        quantize_row(&moved, 1, 8, rule, &made);
+        if (made == byte) return true;
+    }
+    return false;
+}
 
 }  // namespace
 
@@ -60,21 +74,36 @@ Search CauseFinder::start(BytePicture bytes) const {
 
 Search CauseFinder::start(const PictureView& picture, BytePicture bytes) const {
     Search search;
-    const bool is_small = std::int64_t{reference_.width} * reference_.height < k_min_for_threads;
-    search.area = {&edges_, all_rows(reference_.height), 1, is_small ? 1 : options_.threads};
-    if (std::min(reference_.width, reference_.height) < 3) search.area.rim = 0;
-    search.sample = search.area;
     search.faulty = std::move(bytes);
-    search.whole = distance(search.faulty, bytes_, search.area);
-    if (search.whole.all == 0) {
-        search.area.rim = search.sample.rim = 0;
-        search.whole = distance(search.faulty, bytes_, search.area);
-    }
+    measure(search);
     search.report.difference = search.whole.all;
     if (options_.as_floats && is_beyond_bytes(picture, reference_, search.whole.all == 0, search.report)) {
         search.whole = {};
         return search;
     }
+    take_sample(search);
+    count_differing(search);
+    look_at(search);
+    // Truncation changes half of the bytes.
+    if (search.report.agrees && search.differing > 0 && is_few(search.differing)) judge_agreement(search);
+    return search;
+}
+
+// The difference to be explained; that of the outermost pixels only if there is no other.
+void CauseFinder::measure(Search& search) const {
+    const bool is_small = std::int64_t{reference_.width} * reference_.height < k_min_for_threads;
+    search.area = {&edges_, all_rows(reference_.height), 1, is_small ? 1 : options_.threads};
+    if (std::min(reference_.width, reference_.height) < 3) search.area.rim = 0;
+    search.whole = distance(search.faulty, bytes_, search.area);
+    if (search.whole.all == 0) {
+        search.area.rim = 0;
+        search.whole = distance(search.faulty, bytes_, search.area);
+    }
+    search.sample = search.area;
+}
+
+// The rows on which causes are tried first, and the structure of the difference.
+void CauseFinder::take_sample(Search& search) const {
     search.sample.rows = sample_of(search.area.rows, reference_.width);
     const double sampled = distance(search.faulty, bytes_, search.sample).all;
     if (sampled > k_fair_sample * search.whole.all || sampled * k_fair_sample < search.whole.all) {
@@ -83,11 +112,6 @@ Search CauseFinder::start(const PictureView& picture, BytePicture bytes) const {
         search.sample.rows = sample_of(differing, reference_.width);
     }
     search.structure = structured_pixels(bytes_, search.faulty, search.area);
-    count_differing(search);
-    look_at(search);
-    // Truncation changes half of the bytes.
-    if (search.report.agrees && search.differing > 0 && is_few(search.differing)) judge_agreement(search);
-    return search;
 }
 
 void CauseFinder::find(std::vector<Search>& searches) {
@@ -164,26 +188,54 @@ void CauseFinder::render_scene(std::vector<Search>& searches) {
         if (report.swapped) search.target = &bytes_;
         if (report.swapped || from_b < near) search.original = &rendered->bytes;
     }
-    if (rendered && !options_.as_floats) take_out_rounding(searches, rendered->bytes);
+    if (rendered && !options_.as_floats) take_out_rounding(searches, *rendered);
 }
 
 // The reference may be of a program that rounds differently. If the scene's own picture is the reference
 // within rounding, its bytes stand for the reference's: also in the pictures to be explained, where these
 // have the reference's. Else every cause would seem to leave the differences of rounding.
-void CauseFinder::take_out_rounding(std::vector<Search>& searches, const BytePicture& rendered) {
-    for (std::size_t i = 0; i < bytes_.rgb.size(); ++i) {
-        if (std::abs(int{bytes_.rgb[i]} - int{rendered.rgb[i]}) > k_rounding) return;
+void CauseFinder::take_out_rounding(std::vector<Search>& searches, const RenderedScene& scene) {
+    const std::vector<std::uint8_t>& rendered = scene.bytes.rgb;
+    for (std::size_t i = 0; i < rendered.size(); ++i) {
+        if (std::abs(int{bytes_.rgb[i]} - int{rendered[i]}) > k_rounding) return;
     }
     is_of_scene_ = true;
+    const auto is_open = [](const Search& search) { return search.is_open() && !search.report.agrees; };
+    // Pictures that agree with the reference have nothing to be explained.
     for (Search& search : searches) {
-        // Pictures that agree with the reference have nothing to be explained.
-        if (!search.is_open() || search.report.agrees) continue;
-        for (std::size_t i = 0; i < bytes_.rgb.size(); ++i) {
-            if (search.faulty.rgb[i] == bytes_.rgb[i]) search.faulty.rgb[i] = rendered.rgb[i];
+        if (!is_open(search)) continue;
+        for (std::size_t i = 0; i < rendered.size(); ++i) {
+            if (search.faulty.rgb[i] == bytes_.rgb[i]) search.faulty.rgb[i] = rendered[i];
         }
-        search.whole = distance(search.faulty, rendered, search.area);
     }
-    std::copy(rendered.rgb.begin(), rendered.rgb.end(), bytes_.rgb.begin());
+    std::copy(rendered.begin(), rendered.end(), bytes_.rgb.begin());
+    for (Search& search : searches) {
+        if (!is_open(search)) continue;
+        take_out_tie(search, scene);
+        measure(search);
+        take_sample(search);
+    }
+}
+
+// If the background's color is a tie of rounding, all of it differs in a program that rounds differently,
+// which may be more than what a mistake changes.
+void CauseFinder::take_out_tie(Search& search, const RenderedScene& scene) const {
+    const std::vector<bool>& background = trials_->background();
+    const auto found = std::find(background.begin(), background.end(), true);
+    if (scene_->gradient || found == background.end()) return;
+    const std::size_t first = 3 * static_cast<std::size_t>(found - background.begin());
+    const std::uint8_t* const color = &scene.bytes.rgb[first];
+    const ByteRule rule = trials_->rule();
+    const auto is_other_side = [&](const std::uint8_t* pixel) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            if (pixel[c] != color[c] && !may_become(scene.image.rgb[first + c], rule, pixel[c])) return false;
+        }
+        return true;
+    };
+    for (std::size_t i = 0; i < search.faulty.rgb.size(); i += 3) {
+        std::uint8_t* const pixel = &search.faulty.rgb[i];
+        if (!std::equal(pixel, pixel + 3, color) && is_other_side(pixel)) std::copy_n(color, 3, pixel);
+    }
 }
 
 // What the causes that are seen in pictures are made from: the scene's floats know what bytes have lost,

@@ -31,10 +31,13 @@ class CauseFinder {
 
   private:
     bool is_cancelled() const { return options_.cancel.is_set(); }
+    void measure(Search& search) const;
+    void take_sample(Search& search) const;
     void look_at(Search& search) const;
     void step();
     void render_scene(std::vector<Search>& searches);
-    void take_out_rounding(std::vector<Search>& searches, const BytePicture& rendered);
+    void take_out_rounding(std::vector<Search>& searches, const RenderedScene& scene);
+    void take_out_tie(Search& search, const RenderedScene& scene) const;
     PictureSource source(const Search& search, const Rows& rows) const;
     void try_pictures(Search& search);
     void confirm(Search& search);

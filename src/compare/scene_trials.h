@@ -27,6 +27,8 @@ class SceneTrials {
     const std::vector<bool>& background() const {
         return renderer_.background({reference_.width, reference_.height, 1});
     }
+    /// By which rendered numbers become bytes.
+    ByteRule rule() const { return renderer_.rule(renderer_.scene().shading); }
     std::size_t steps() const { return search_ ? search_->size() : 0; }
     bool is_cancelled() const { return renderer_.is_cancelled(); }
 
