@@ -25,7 +25,8 @@ Color grey(double level) { return {level, level, level}; }
 bool has_colored_highlight(const Material& m) {
     const double k = coefficient(m.specular, m.color);
     const Color off = m.specular + m.color * -k;
-    return k > 0 && !(m.color == grey(m.color.r)) && std::abs(off.r) + std::abs(off.g) + std::abs(off.b) < 1e-9;
+    return k > 0 && !(m.color == grey(m.color.r)) &&
+           std::abs(off.r) + std::abs(off.g) + std::abs(off.b) < 1e-9;
 }
 
 // k_s, and k_s as a color: highlights are white, or have the surface's color.
@@ -61,24 +62,31 @@ bool has_both(const Scene& s) {
            any_light(s, [](const Light& l) { return l.has_position() && !is_off(l); });
 }
 
-// Copies of the lights, which cast no shadows, take over a part of their light: share(light, copy).
-template <class Share> void light_shadows(Scene& s, const Share& share) {
+// Copies of the lights cast no shadows, and take over their light but for these parts of both terms.
+void light_shadows(Scene& s, double diffuse, double specular) {
     const std::size_t count = s.lights.size();
     for (std::size_t i = 0; i < count; ++i) {
-        if (is_ambient(s.lights[i]) || is_off(s.lights[i]) || !s.lights[i].casts_shadows) continue;
-        Light copy = s.lights[i];
+        Light& light = s.lights[i];
+        if (is_ambient(light) || is_off(light) || !light.casts_shadows) continue;
+        Light copy = light;
         copy.casts_shadows = false;
-        share(s.lights[i], copy);
+        copy.color = copy.color * (1 - diffuse);
+        copy.specular_color = copy.specular_color * (1 - specular);
+        light.color = light.color * diffuse;
+        light.specular_color = light.specular_color * specular;
         s.lights.push_back(copy);
     }
 }
 
+void give_all(Scene& s, const Material& material) {
+    const Material copy = material;
+    for_each_material(s, [&](Material& m) { m = copy; });
+}
+
 constexpr SceneFault k_mixed_up[] = {
-    {"material-of-another", has_materials,
-     [](Scene& s) { std::fill(s.materials.begin(), s.materials.end(), Material(s.materials.front())); },
+    {"material-of-another", has_materials, [](Scene& s) { give_all(s, s.materials.front()); },
      "All shapes have the first material: use that of the shape that the ray hits."},
-    {"material-of-another", has_materials,
-     [](Scene& s) { std::fill(s.materials.begin(), s.materials.end(), Material(s.materials.back())); },
+    {"material-of-another", has_materials, [](Scene& s) { give_all(s, s.materials.back()); },
      "All shapes have the last material: use that of the shape that the ray hits."},
     {"material-of-another", has_shiny_materials,
      [](Scene& s) {
@@ -136,7 +144,9 @@ constexpr SceneFault k_mixed_up[] = {
      [](Scene& s) { for_each_material(s, [](Material& m) { m.diffuse = grey(diffuse_of(m)); }); },
      "The diffuse term is not multiplied by the surface's color."},
     {"ambient-without-material", has_ambient,
-     [](Scene& s) { for_each_material(s, [](Material& m) { m.ambient = {1, 1, 1}; }); },
+     [](Scene& s) { for_each_material(s, [](Material& m) {
+                        m.ambient = {1, 1, 1};
+                    }); },
      "Ambient light is added as it is: multiply it by the material's k_a."},
     {"ambient-without-material", has_ambient,
      [](Scene& s) { for_each_material(s, [](Material& m) { m.ambient = m.color; }); },
@@ -191,24 +201,12 @@ constexpr SceneFault k_mixed_up[] = {
      },
      "Only directional lights cast shadows: test the shadow rays of the other lights, too."},
     {"shadow-of-one-term", [](const Scene& s) { return has_shadows(s) && has_highlights(s); },
-     [](Scene& s) {
-         light_shadows(s, [](Light& l, Light& copy) { l.specular_color = copy.color = {0, 0, 0}; });
-     },
+     [](Scene& s) { light_shadows(s, 1, 0); },
      "Shadows darken the diffuse term alone: a light that does not reach a point has no highlight there."},
     {"shadow-of-one-term", [](const Scene& s) { return has_shadows(s) && has_highlights(s); },
-     [](Scene& s) {
-         light_shadows(s, [](Light& l, Light& copy) { l.color = copy.specular_color = {0, 0, 0}; });
-     },
+     [](Scene& s) { light_shadows(s, 0, 1); },
      "Shadows remove the highlight alone: a light that does not reach a point has no diffuse term there."},
-    {"shadow-part", has_shadows,
-     [](Scene& s) {
-         light_shadows(s, [](Light& l, Light& copy) {
-             for (Light* const half : {&l, &copy}) {
-                 half->color = half->color * 0.5;
-                 half->specular_color = half->specular_color * 0.5;
-             }
-         });
-     },
+    {"shadow-part", has_shadows, [](Scene& s) { light_shadows(s, 0.5, 0.5); },
      "Half of a light remains in its shadow: a light that does not reach a point adds nothing."},
 };
 

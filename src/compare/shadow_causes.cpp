@@ -8,7 +8,6 @@
 namespace glint {
 namespace {
 
-
 constexpr std::size_t k_max_shadow_lights = 4;  // each is rendered alone
 
 // The light of one light alone on white surfaces without highlights, also from behind: 0 only where it does
@@ -110,24 +109,27 @@ void add_shadows_of_other_lights(const Scene& scene, std::vector<SceneCause>& ca
             Scene unlit = s;
             for_each_light(unlit, switch_off);
             std::optional<Image> sum = render(unlit);
-            if (!sum) return std::nullopt;
-            std::vector<Image> terms;
-            std::vector<bool> all(sum->rgb.size(), true), counts;
-            for (const std::size_t light : lights) {
-                std::optional<Image> own = terms_of(s, light, render);
-                const std::optional<Image> reaches = light_of(s, light, render);
-                if (!own || !reaches) return std::nullopt;
-                for (std::size_t i = 0; i < all.size(); ++i) all[i] = all[i] && reaches->rgb[i] != 0;
-                if (light == lights.front()) counts = all;
-                if (state == ShadowState::so_far) counts = all;
-                if (state == ShadowState::any) {
-                    terms.push_back(*std::move(own));
-                    continue;
+            std::vector<std::uint8_t> reached;  // by the lights that have been rendered
+            const auto look = [&](std::size_t light) {
+                const std::optional<Image> found = light_of(s, light, render);
+                if (!found) return false;
+                reached.resize(found->rgb.size(), 1);
+                for (std::size_t i = 0; i < reached.size(); ++i) {
+                    if (found->rgb[i] == 0) reached[i] = 0;
                 }
-                for (std::size_t i = 0; i < all.size(); ++i) sum->rgb[i] += counts[i] ? own->rgb[i] : 0;
-            }
-            for (const Image& own : terms) {
-                for (std::size_t i = 0; i < all.size(); ++i) sum->rgb[i] += all[i] ? own.rgb[i] : 0;
+                return true;
+            };
+            if (state == ShadowState::any && !std::all_of(lights.begin(), lights.end(), look))
+                return std::nullopt;
+            for (const std::size_t light : lights) {
+                const bool looks =
+                    state == ShadowState::so_far || (state == ShadowState::first && light == lights.front());
+                if (looks && !look(light)) return std::nullopt;
+                const std::optional<Image> own = terms_of(s, light, render);
+                if (!sum || !own) return std::nullopt;
+                for (std::size_t i = 0; i < reached.size(); ++i) {
+                    if (reached[i] != 0) sum->rgb[i] += own->rgb[i];
+                }
             }
             return sum;
         };

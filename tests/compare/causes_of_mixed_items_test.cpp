@@ -24,8 +24,10 @@ std::string colored_room(bool mirrors) {
            "light { type = point  position = (3, 5, 4)  color = (0.6, 0.5, 0.3) }\n"
            "light { type = point  position = (-4, 4, 5)  color = (0.2, 0.3, 0.4) }\n"
            "light { type = directional  to_light = (0.4, 1, 0.3)  intensity = 0.3 }\n"
-           "material red { color = (0.9, 0.2, 0.2)  ambient = 0.2  diffuse = 0.8  specular = 0.5  shininess = 20 }\n"
-           "material blue { color = (0.3, 0.4, 0.8)  ambient = 0.3  diffuse = 0.6  specular = 0.2  shininess = 80" +
+           "material red { color = (0.9, 0.2, 0.2)  ambient = 0.2  diffuse = 0.8  specular = 0.5  shininess "
+           "= 20 }\n"
+           "material blue { color = (0.3, 0.4, 0.8)  ambient = 0.3  diffuse = 0.6  specular = 0.2  shininess "
+           "= 80" +
            mirror +
            " }\nmaterial floor { color = (0.6, 0.6, 0.5)  ambient = 0.25  diffuse = 0.7  specular = 0.3  "
            "shininess = 10 }\n"
@@ -42,11 +44,14 @@ std::string colored_table(bool mirrors) {
            "light { type = ambient  intensity = 1 }\n"
            "light { type = directional  to_light = (-1, 1.5, 1)  color = (0.5, 0.4, 0.4) }\n"
            "light { type = point  position = (4, 5, 4)  color = (0.3, 0.5, 0.5) }\n"
-           "material green { color = (0.2, 0.7, 0.3)  ambient = 0.1  diffuse = 0.9  specular_color = (0.3, 0.3, 0.3)  shininess = 12" +
+           "material green { color = (0.2, 0.7, 0.3)  ambient = 0.1  diffuse = 0.9  specular_color = (0.3, "
+           "0.3, 0.3)  shininess = 12" +
            mirror +
-           " }\nmaterial gold { color = (0.8, 0.7, 0.2)  ambient = 0.2  diffuse = 0.5  specular_color = (0.7, 0.7, 0.7)  "
+           " }\nmaterial gold { color = (0.8, 0.7, 0.2)  ambient = 0.2  diffuse = 0.5  specular_color = "
+           "(0.7, 0.7, 0.7)  "
            "shininess = 50 }\n"
-           "material grey { color = (0.5, 0.5, 0.5)  ambient = 0.3  diffuse = 0.8  specular_color = (0.1, 0.1, 0.1)  shininess = 5 }\n"
+           "material grey { color = (0.5, 0.5, 0.5)  ambient = 0.3  diffuse = 0.8  specular_color = (0.1, "
+           "0.1, 0.1)  shininess = 5 }\n"
            "sphere { center = (-1.5, 1, 0.5)  radius = 1  material = green }\n"
            "cylinder { from = (1, 0, 0)  to = (1, 2, 0)  radius = 0.7  material = gold }\n"
            "sphere { center = (2.2, 0.5, 1.5)  radius = 0.5  material = green }\n"
@@ -101,13 +106,14 @@ const std::vector<MixedUp>& mixed_up() {
         {"coefficients-exchanged", "k_d and k_s are exchanged", of_materials([](const Scene& s, Material& m) {
              const double k_d = m.diffuse.r / m.color.r;
              m.diffuse = m.color * k_s(s, m);
- m.specular = specular(s, m, k_d);
+             m.specular = specular(s, m, k_d);
          })},
         {"coefficients-exchanged", "k_d and k_s are exchanged",
          of_materials([](const Scene&, Material& m) { std::swap(m.diffuse, m.specular); })},
         {"coefficients-exchanged", "diffuse term is multiplied by k_s",
          of_materials([](const Scene& s, Material& m) { m.diffuse = m.color * k_s(s, m); })},
-        {"coefficients-exchanged", "specular term is multiplied by k_d", of_materials([](const Scene& s, Material& m) {
+        {"coefficients-exchanged", "specular term is multiplied by k_d",
+         of_materials([](const Scene& s, Material& m) {
              const double k_d = m.diffuse.g / m.color.g;
              m.specular = specular(s, m, k_d);
          })},
@@ -115,13 +121,16 @@ const std::vector<MixedUp>& mixed_up() {
          of_materials([](const Scene&, Material& m) { m.ambient = m.diffuse; })},
         {"coefficients-exchanged", "diffuse term is multiplied by k_a",
          of_materials([](const Scene&, Material& m) { m.diffuse = m.ambient; })},
-        {"diffuse-without-color", "not multiplied by the surface's color", of_materials([](const Scene&, Material& m) {
+        {"diffuse-without-color", "not multiplied by the surface's color",
+         of_materials([](const Scene&, Material& m) {
              const double k_d = m.diffuse.b / m.color.b;
              m.diffuse = {k_d, k_d, k_d};
          })},
-        {"ambient-without-material", "added as it is",
-         of_materials([](const Scene&, Material& m) { m.ambient = {1, 1, 1}; })},
-        {"ambient-without-material", "but not by k_a", of_materials([](const Scene&, Material& m) { m.ambient = m.color; })},
+        {"ambient-without-material", "added as it is", of_materials([](const Scene&, Material& m) {
+             m.ambient = {1, 1, 1};
+         })},
+        {"ambient-without-material", "but not by k_a",
+         of_materials([](const Scene&, Material& m) { m.ambient = m.color; })},
         {"highlight-of-one-light", "the first light",
          [](Scene& s) {
              for (std::size_t i = 2; i < s.lights.size(); ++i) s.lights[i].specular_color = {0, 0, 0};
@@ -181,9 +190,8 @@ TEST(CausesOfMixedItems, AreNamed) {
             ASSERT_NE(wrong.rgb, right.rgb) << plant.text;
             const CauseReport report = *find_causes(wrong, right, &scene);
             ASSERT_FALSE(report.causes.empty()) << plant.cause << ": " << plant.text;
-            EXPECT_TRUE(is_among_first(report, plant))
-                << plant.cause << ": " << plant.text << "\n"
-                << all_causes(report);
+            EXPECT_TRUE(is_among_first(report, plant)) << plant.cause << ": " << plant.text << "\n"
+                                                       << all_causes(report);
         }
     }
 }
@@ -217,8 +225,7 @@ Image with_shadow_rule(const Scene& scene, const Rule& rule, double left, double
     }
     for (std::size_t p = 0; p < sum.rgb.size(); p += 3) {
         std::vector<bool> reaches;
-        for (std::size_t i = 0; i < lit.size(); ++i)
-            reaches.push_back(lit[i].rgb[p] != 0);
+        for (std::size_t i = 0; i < lit.size(); ++i) reaches.push_back(lit[i].rgb[p] != 0);
         for (std::size_t c = p; c < p + 3; ++c) {
             for (std::size_t i = 0; i < lit.size(); ++i)
                 sum.rgb[c] += static_cast<float>(rule(reaches, i) ? left : in_shadow) * free[i].rgb[c];
@@ -242,7 +249,8 @@ TEST(CausesOfMixedItems, OfShadowRaysAreNamed) {
          }},
         {"shadow-of-another-light", "of the first light counts for all",
          [](const std::vector<bool>& r, std::size_t) { return r[0]; }},
-        {"shadow-part", "Half of a light", [](const std::vector<bool>& r, std::size_t i) { return r[i]; }, 0.5},
+        {"shadow-part", "Half of a light", [](const std::vector<bool>& r, std::size_t i) { return r[i]; },
+         0.5},
     };
     for (const auto& make : {colored_room, colored_table}) {
         for (const ShadowCase& c : cases) {
