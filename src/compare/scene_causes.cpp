@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "compare/composed_causes.h"
@@ -50,6 +51,34 @@ std::string light_text(const Scene& scene, std::uint32_t index) {
                         : fmt::format("light {} (\"{}\")", index + 1, name);
 }
 
+constexpr double k_same_factor = 0.01;  // of the factor
+
+bool is_factor(double factor, double of) { return std::fabs(factor - of) <= k_same_factor * of; }
+
+// Of light that is multiplied by its intensity twice, or not at all.
+std::string intensity_hint(double factor, double intensity) {
+    if (intensity <= 0 || is_factor(1, intensity)) return "";
+    if (is_factor(factor, intensity)) return " That is its intensity, which may be applied twice.";
+    if (is_factor(factor, 1 / intensity)) return " That is 1 / its intensity, which may be left out.";
+    return "";
+}
+
+// Of the factor of a part of light.
+std::function<std::string(double)> factor_hint(const Scene& scene, std::string_view scaled) {
+    double lights = 0, ambient = 0;
+    for (const Light& light : scene.lights) {
+        if (is_ambient(light)) ambient += largest(light.color);
+        if (!is_ambient(light) && !is_off(light)) ++lights;
+    }
+    if (scaled == "ambient-scaled") return [=](double factor) { return intensity_hint(factor, ambient); };
+    if (scaled != "light-intensity" || lights < 2) return {};
+    return [=](double factor) -> std::string {
+        return is_factor(factor, 1 / lights)
+                   ? fmt::format(" That is 1 / {}: lights may be averaged, and are to be added.", lights)
+                   : "";
+    };
+}
+
 constexpr int k_max_single_lights = 8;  // tried one by one
 
 void add_single_lights(const Scene& scene, std::vector<SceneCause>& causes) {
@@ -69,6 +98,9 @@ void add_single_lights(const Scene& scene, std::vector<SceneCause>& causes) {
                           [light](Scene& s, double factor) {
                               s.lights[light].color = s.lights[light].color * factor;
                               s.lights[light].specular_color = s.lights[light].specular_color * factor;
+                          },
+                          [intensity = largest(scene.lights[light].color)](double factor) {
+                              return intensity_hint(factor, intensity);
                           }});
     }
     for (std::size_t k = 0; lights.size() > 2 && k < lights.size(); ++k) {
@@ -148,6 +180,7 @@ std::vector<SceneCause> scene_causes(const Scene& scene) {
                                   row.part,
                                   row.scaled,
                                   row.scale_part,
+                                  factor_hint(scene, row.scaled),
                                   row.scale,
                                   row.scale_text,
                                   row.limit,

@@ -21,6 +21,8 @@ struct SceneCause {
     /// multiple of it is tried, too, as the cause `scaled`, which `scale_part` puts into a scene.
     std::string part = {}, scaled = {};
     std::function<void(Scene&, double)> scale_part = {};
+    /// What the factor is among the scene's numbers, as a further sentence.
+    std::function<std::string(double factor)> scale_hint = {};
     /// If a number of the scene is a multiple of what it should be (after `put`, which may be empty): makes
     /// it one, and says so, of a factor that is fitted. There is no other explanation then.
     std::function<void(Scene&, double)> scale = {};

@@ -45,14 +45,15 @@ std::shared_ptr<const FittedCause> factor_of(const SceneCause& cause, double nea
 }
 
 std::shared_ptr<const FittedCause> multiple_of(const SceneCause& cause, double near) {
-    FittedCause multiple{cause.scaled,
-                         {k_factor_unit * near},
-                         [scale = cause.scale_part](FaultyScene& s, std::span<const double> v) {
-                             scale(s.shading, std::max(v[0], 0.0));
-                         },
-                         [part = capitalized(cause.part)](std::span<const double> v, bool) {
-                             return fmt::format("{} is {:.3g} times what it should be.", part, v[0]);
-                         }};
+    FittedCause multiple{
+        cause.scaled,
+        {k_factor_unit * near},
+        [scale = cause.scale_part](FaultyScene& s, std::span<const double> v) {
+            scale(s.shading, std::max(v[0], 0.0));
+        },
+        [part = capitalized(cause.part), hint = cause.scale_hint](std::span<const double> v, bool) {
+            return fmt::format("{} is {:.3g} times what it should be.{}", part, v[0], hint ? hint(v[0]) : "");
+        }};
     multiple.fits_bytes = true;
     return std::make_shared<FittedCause>(std::move(multiple));
 }

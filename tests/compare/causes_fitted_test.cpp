@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Exponents that are wrong by any factor are named with that factor.
-#include "compare/planted_faults.h"
+#include "compare/small_scene.h"
 
 namespace glint::test {
 namespace {
@@ -62,6 +62,28 @@ TEST(CausesFitted, AFactorOfAllLightIsAboutThat) {
     ASSERT_EQ(first_cause(by_scene), "light-intensity") << all_causes(by_scene);
     EXPECT_NE(by_scene.causes.front().explanation.find("Everything is 0.6"), std::string::npos)
         << all_causes(by_scene);
+}
+
+TEST(CausesFitted, FactorsThatAreNumbersOfTheSceneAreNamed) {
+    const std::string text = replaced(k_scene, "intensity = 0.9", "intensity = 0.7");
+    const Scene scene = read_scene(text);
+    const Image right = as_file(draw(scene));
+    const auto first_text = [&](double ambient, double others) {
+        Scene faulty = scene;
+        for (Light& light : faulty.lights) {
+            const double factor = light.is_ambient() ? ambient : others;
+            light.color = light.color * factor;
+            light.specular_color = light.specular_color * factor;
+        }
+        const CauseReport report = *find_causes(as_file(draw(faulty)), right, &scene);
+        return report.causes.empty() ? "" : report.causes[0].explanation;
+    };
+    EXPECT_NE(first_text(0.7, 1).find("is its intensity"), std::string::npos) << first_text(0.7, 1);
+    EXPECT_NE(first_text(1 / 0.7, 1).find("1 / its intensity"), std::string::npos) << first_text(1 / 0.7, 1);
+    EXPECT_NE(first_text(1, 0.5).find("averaged"), std::string::npos) << first_text(1, 0.5);
+    // Near misses.
+    EXPECT_EQ(first_text(0.75, 1).find("That is"), std::string::npos) << first_text(0.75, 1);
+    EXPECT_EQ(first_text(1, 0.55).find("That is"), std::string::npos) << first_text(1, 0.55);
 }
 
 }  // namespace
