@@ -53,7 +53,7 @@ void keep_highlights_of(Scene& s, std::size_t kept) {
     });
 }
 
-bool is_point(const Light& l) { return l.kind == LightKind::point && !is_off(l); }
+bool is_point(const Light& l) { return l.has_position() && !l.is_spot() && !l.is_area() && !is_off(l); }
 bool is_sun(const Light& l) { return l.has_direction() && !is_off(l); }
 bool has_points(const Scene& s) { return is_lit(s) && any_light(s, is_point); }
 bool has_suns(const Scene& s) { return is_lit(s) && any_light(s, is_sun); }
