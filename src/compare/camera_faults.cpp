@@ -71,6 +71,12 @@ constexpr SceneFault k_camera[] = {
      "Highlights are seen from the origin: V is -P. It is the vector from P to the camera."},
     {"eye-direction-fixed", sees_highlights, fix_eye_direction,
      "Highlights have the same V everywhere, the camera's direction. It is the vector from P to the camera."},
+    {"eye-not-from-point",
+     [](const Scene& s) {
+         return sees_highlights(s) && !(s.camera.position == Vec3{0, 0, 0});
+     },
+     [](Scene& s) { s.camera.lighting_eye = s.camera.position * k_eye_far; },
+     "V is the position of the eye: subtract P, as V goes from P to the eye."},
     {.name = "eye-of-camera-in-mirrors",
      .applies =
          [](const Scene& s) {

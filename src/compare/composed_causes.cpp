@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "compare/scene_faults.h"
+#include "math/elementary.h"
 
 namespace glint {
 namespace {
@@ -111,6 +112,23 @@ void add_shown_normals(const Scene& scene, std::vector<SceneCause>& causes) {
         return made;
     };
     causes.push_back(std::move(cause));
+}
+
+void add_tone_curves(std::vector<SceneCause>& causes) {
+    const auto add = [&](const char* explanation, double (*curve)(double)) {
+        SceneCause cause{"tone-curve", explanation, {}};
+        cause.compose = [curve](const Scene& s, const RenderScene& render) -> std::optional<Image> {
+            std::optional<Image> made = render(s);
+            if (!made) return std::nullopt;
+            for (float& v : made->rgb) v = static_cast<float>(curve(static_cast<double>(v)));
+            return made;
+        };
+        causes.push_back(std::move(cause));
+    };
+    add("Colors go through the curve c / (1 + c), which no scene asks for.",
+        [](double c) { return c / (1 + c); });
+    add("Colors go through the curve 1 - exp(-c), which no scene asks for.",
+        [](double c) { return 1 - exp(-c); });
 }
 
 }  // namespace glint

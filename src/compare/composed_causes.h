@@ -13,10 +13,14 @@ void add_turned_cosines(const Scene& scene, std::vector<SceneCause>& causes);
 void add_raw_diffuse(const Scene& scene, std::vector<SceneCause>& causes);
 /// Surfaces show their normals, and the rest of the picture is right.
 void add_shown_normals(const Scene& scene, std::vector<SceneCause>& causes);
+/// A tone curve of the whole picture, which is asked for by no scene.
+void add_tone_curves(std::vector<SceneCause>& causes);
 
 // shadow_causes.cpp:
 /// Surfaces are black where lights do not reach them, without the ambient term.
 void add_black_shadows(const Scene& scene, std::vector<SceneCause>& causes);
+/// The greatest of the lights in place of their sum.
+void add_greatest_light(const Scene& scene, std::vector<SceneCause>& causes);
 /// The result of one light's shadow rays counts for others.
 void add_shadows_of_other_lights(const Scene& scene, std::vector<SceneCause>& causes);
 

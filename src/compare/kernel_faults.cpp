@@ -7,6 +7,9 @@ namespace {
 
 bool has_phong(const Scene& s) { return has_highlights(s) && s.settings.shading == Shading::phong; }
 bool has_blinn(const Scene& s) { return has_highlights(s) && s.settings.shading == Shading::blinn_phong; }
+bool has_eye(const Scene& s) {
+    return s.camera.projection == Projection::perspective && !s.camera.lighting_eye;
+}
 bool is_normalized(const Scene& s) { return is_lit(s) && s.conventions.normalize; }
 
 constexpr SceneFault k_kernel[] = {
@@ -47,6 +50,34 @@ constexpr SceneFault k_kernel[] = {
      .applies = [](const Scene& s) { return is_lit(s) && s.conventions.facing != Facing::all; },
      .explanation = "The normals of triangles are reversed: exchange the two vectors of their cross product.",
      .fault = TracerFault::face_normals_reversed},
+    {.name = "normal-from-origin",
+     .applies = is_lit,
+     .explanation = "The normal of a sphere is the direction of P: subtract the centre, N = (P - C) / r.",
+     .fault = TracerFault::normal_from_origin},
+    {.name = "view-vector-not-normalized",
+     .applies = [](const Scene& s) { return is_normalized(s) && has_highlights(s) && has_eye(s); },
+     .explanation = "V is not of unit length: normalise the vector to the eye before taking R.V or L + V.",
+     .fault = TracerFault::view_not_unit},
+    {.name = "cosine-of-other-vectors",
+     .applies = is_lit,
+     .explanation = "The diffuse term is of N.V: it is k_d (N.L).",
+     .fault = TracerFault::diffuse_of_view},
+    {.name = "cosine-of-other-vectors",
+     .applies = has_phong,
+     .explanation = "The highlight is of N.R: it is k_s (R.V)^n.",
+     .fault = TracerFault::specular_of_normal},
+    {.name = "cosine-of-other-vectors",
+     .applies = has_phong,
+     .explanation = "The highlight is of R.L: it is k_s (R.V)^n.",
+     .fault = TracerFault::specular_of_light},
+    {.name = "cosine-of-other-vectors",
+     .applies = has_blinn,
+     .explanation = "The highlight is of H.V: it is k_s (N.H)^n.",
+     .fault = TracerFault::specular_of_half},
+    {.name = "diffuse-squared",
+     .applies = is_lit,
+     .explanation = "The diffuse term has (N.L)^2: it is k_d (N.L).",
+     .fault = TracerFault::diffuse_squared},
     {.name = "reflection-vector-negated",
      .applies = has_phong,
      .explanation = "R points the wrong way: it is 2 N (N.L) - L, where L points to the light.",

@@ -204,6 +204,8 @@ std::vector<SceneCause> scene_causes(const Scene& scene) {
     add(kernel_faults());
     add_black_shadows(scene, causes);
     add_shadows_of_other_lights(scene, causes);
+    add_greatest_light(scene, causes);
+    add_tone_curves(causes);
     add(shape_faults());
     add(mixed_up_faults());
     add_reflection_levels(scene, causes);

@@ -82,13 +82,13 @@ void add_black_shadows(const Scene& scene, std::vector<SceneCause>& causes) {
 
 namespace {
 
-// What a light adds without shadows.
-std::optional<Image> terms_of(Scene scene, std::size_t light, const RenderScene& render) {
+// What a light adds, with shadows or without.
+std::optional<Image> terms_of(Scene scene, std::size_t light, bool shadows, const RenderScene& render) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         if (i != light) switch_off(scene.lights[i]);
     }
     for_each_material(scene, [](Material& m) { m.emission = {0, 0, 0}; });
-    scene.settings.shadows = false;
+    scene.settings.shadows = scene.settings.shadows && shadows;
     scene.background = {0, 0, 0};
     scene.gradient.reset();
     if (scene.fog) scene.fog->color = {0, 0, 0};
@@ -99,6 +99,29 @@ std::optional<Image> terms_of(Scene scene, std::size_t light, const RenderScene&
 enum class ShadowState : std::uint8_t { so_far, any, first };
 
 }  // namespace
+
+void add_greatest_light(const Scene& scene, std::vector<SceneCause>& causes) {
+    const std::vector<std::size_t> lights = shadow_lights(scene);
+    if (lights.size() < 2) return;
+    SceneCause cause{"light-maximum",
+                     "The greatest of the lights' colors is taken, not their sum: add up all lights.",
+                     {}};
+    cause.compose = [lights](const Scene& s, const RenderScene& render) -> std::optional<Image> {
+        Scene unlit = s;
+        for_each_light(unlit, switch_off);
+        std::optional<Image> sum = render(unlit);
+        if (!sum) return std::nullopt;
+        std::vector<float> most(sum->rgb.size());
+        for (const std::size_t light : lights) {
+            const std::optional<Image> own = terms_of(s, light, true, render);
+            if (!own) return std::nullopt;
+            for (std::size_t i = 0; i < most.size(); ++i) most[i] = std::max(most[i], own->rgb[i]);
+        }
+        for (std::size_t i = 0; i < most.size(); ++i) sum->rgb[i] += most[i];
+        return sum;
+    };
+    causes.push_back(std::move(cause));
+}
 
 void add_shadows_of_other_lights(const Scene& scene, std::vector<SceneCause>& causes) {
     const std::vector<std::size_t> lights = shadow_lights(scene);
@@ -125,7 +148,7 @@ void add_shadows_of_other_lights(const Scene& scene, std::vector<SceneCause>& ca
                 const bool looks =
                     state == ShadowState::so_far || (state == ShadowState::first && light == lights.front());
                 if (looks && !look(light)) return std::nullopt;
-                const std::optional<Image> own = terms_of(s, light, render);
+                const std::optional<Image> own = terms_of(s, light, false, render);
                 if (!sum || !own) return std::nullopt;
                 for (std::size_t i = 0; i < reached.size(); ++i) {
                     if (reached[i] != 0) sum->rgb[i] += own->rgb[i];

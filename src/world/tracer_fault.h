@@ -15,6 +15,13 @@ enum class TracerFault : std::uint8_t {
     normals_reversed,          ///< -N in place of N, for the lighting only
     sphere_normals_reversed,   ///< the same, of spheres only
     face_normals_reversed,     ///< the same, of triangles and meshes only
+    normal_from_origin,        ///< a sphere's N is the direction of P
+    diffuse_of_view,           ///< N.V in place of N.L, in both terms' tests and in the diffuse term
+    diffuse_squared,           ///< (N.L)^2 in the diffuse term
+    specular_of_normal,        ///< N.R in place of R.V, in Phong's model
+    specular_of_light,         ///< R.L in place of R.V, in Phong's model
+    specular_of_half,          ///< H.V in place of N.H, in Blinn's model
+    view_not_unit,             ///< V has the length of the distance to the camera, for camera rays
     eye_everywhere,            ///< Camera::lighting_eye is used in mirrors and glass, too
     reflection_negated,        ///< -R in place of R, in Phong's model
     specular_times_n_l,        ///< the specular term is multiplied by N.L

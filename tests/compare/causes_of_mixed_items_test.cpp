@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mistakes of programs that take numbers of another material or light, or shadow rays of another light.
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "compare/planted_faults.h"
@@ -261,6 +262,35 @@ TEST(CausesOfMixedItems, OfShadowRaysAreNamed) {
             EXPECT_TRUE(is_among_first(report, {c.cause, c.text, {}})) << c.text << "\n"
                                                                        << all_causes(report);
         }
+    }
+}
+
+TEST(CausesOfMixedItems, ToneCurvesAndTheGreatestLightAreNamed) {
+    for (const auto& make : {colored_room, colored_table}) {
+        const Scene scene = read_scene(make(false));
+        const Image right = as_file(draw(scene));
+        const auto first_of = [&](Image picture) {
+            return first_cause(*find_causes(as_file(std::move(picture)), right, &scene));
+        };
+        Image curved = draw(scene), saturated = curved;
+        for (float& v : curved.rgb) v /= 1 + v;
+        for (float& v : saturated.rgb) v = 1 - std::exp(-v);
+        EXPECT_EQ(first_of(curved), "tone-curve");
+        EXPECT_EQ(first_of(saturated), "tone-curve");
+        const auto with_lights = [&](std::size_t kept) {
+            Scene one = scene;
+            for (std::size_t i = 1; i < one.lights.size(); ++i) {
+                if (i != kept) one.lights[i].color = one.lights[i].specular_color = {0, 0, 0};
+            }
+            return draw(one);
+        };
+        Image most = with_lights(1);
+        for (std::size_t light = 2; light < scene.lights.size(); ++light) {
+            const Image other = with_lights(light);
+            for (std::size_t i = 0; i < most.rgb.size(); ++i)
+                most.rgb[i] = std::max(most.rgb[i], other.rgb[i]);
+        }
+        EXPECT_EQ(first_of(most), "light-maximum");
     }
 }
 

@@ -17,6 +17,10 @@ struct Mistakes {
     bool n_reversed = false, r_negated = false, v_from_origin = false, v_fixed = false;
     bool v_is_p = false;  ///< P, not the eye's way from P
     bool v_raw = false;   ///< not normalised
+    bool v_is_eye = false;
+    bool n_from_origin = false;                           ///< of balls
+    bool of_n_r = false, of_r_l = false, of_h_v = false;  ///< in place of R.V and N.H
+    bool diffuse_of_view = false, diffuse_squared = false;
     /// Also in mirrors: the wrong V, and in their rays, N that is not normalised.
     bool v_anywhere = false, n_raw_in_mirrors = false;
     bool balls_reversed = false;  ///< N of balls only
@@ -181,7 +185,9 @@ class SmallTracer {
         const bool has_eye = depth == 0 || m_.v_anywhere;
         if (m_.v_from_origin && has_eye) v = normalize(-p);
         if (m_.v_fixed && has_eye) v = {0, 0, 1};
-        if (m_.v_raw) v = s_.eye - p;
+        if (m_.v_raw && depth == 0) v = s_.eye - p;
+        if (m_.v_is_eye) v = normalize(s_.eye);
+        if (m_.n_from_origin && is_ball) n = normalize(p);
         if (m_.v_is_p) v = normalize(p);
         if (m_.n_reversed || (m_.balls_reversed && is_ball)) n = -n;
         bool is_shadowed = false;
@@ -193,20 +199,21 @@ class SmallTracer {
             }
             const Vec3 to_light = lamp - p;
             const Vec3 l = m_.l_raw ? to_light : normalize(to_light);
-            const double n_l = dot(n, l);
+            const double n_l = m_.diffuse_of_view ? dot(n, v) : dot(n, l);
             if (n_l <= 0) continue;
             double s;
             if (s_.blinn) {
                 const Vec3 h = m_.h_of_difference ? l - v : l + v;
-                s = dot(n, m_.h_raw ? h : normalize(h));
+                s = dot(m_.of_h_v ? v : n, m_.h_raw ? h : normalize(h));
             } else {
-                const Vec3 r = n * (2 * n_l) - l;
-                s = dot(m_.r_negated ? -r : r, v);
+                const Vec3 r = n * (2 * dot(n, l)) - l;
+                s = dot(m_.r_negated ? -r : r, m_.of_n_r ? n : m_.of_r_l ? l : v);
             }
             const double strength = s_.lamp /
                                     (std::pow(length(to_light), m_.distance_power) + m_.distance_offset) /
                                     (m_.fades_from_eye ? length(s_.eye - p) : 1);
-            const double diffuse = m_.no_cosine ? 1 : m_.diffuse_to_power ? std::pow(n_l, b.shininess) : n_l;
+            const double power = m_.diffuse_to_power ? b.shininess : m_.diffuse_squared ? 2 : 1;
+            const double diffuse = m_.no_cosine ? 1 : std::pow(n_l, power);
             double shine =
                 s > 0 ? std::pow(s, m_.exponent_squared ? b.shininess * b.shininess : b.shininess) : 0;
             if (m_.specular_times_cosine) shine *= n_l;

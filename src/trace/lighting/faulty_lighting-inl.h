@@ -39,8 +39,24 @@ HWY_INLINE Cosines<Doubles> faulty_cosines(const WorldParts& world, const Surfac
             return cosines(normal * face_normal_signs(world, surfaces, i), l, v, rules);
         case TracerFault::normals_reversed:
             return cosines(-normal, l, v, rules);
+        case TracerFault::normal_from_origin:
+            return cosines(normals_from_origin(world, surfaces, i), l, v, rules);
+        case TracerFault::diffuse_of_view:
+            return {dot(normal, v), c.s};
+        case TracerFault::view_not_unit:
+            return surfaces.generation == 0 ? cosines(normal, l, camera_vectors(world, surfaces, i), rules)
+                                            : c;
         case TracerFault::reflection_negated:
             return rules.shading == Shading::phong ? Cosines<Doubles>{c.n_l, -c.s} : c;
+        case TracerFault::specular_of_normal:
+            return rules.shading == Shading::phong ? Cosines<Doubles>{c.n_l, c.n_l} : c;
+        case TracerFault::specular_of_light:
+            return rules.shading == Shading::phong
+                       ? Cosines<Doubles>{c.n_l, Doubles(2) * c.n_l * c.n_l - Doubles(1)}
+                       : c;
+        case TracerFault::specular_of_half:
+            return rules.shading == Shading::blinn_phong ? Cosines<Doubles>{c.n_l, dot(normalize(l + v), v)}
+                                                         : c;
         default:
             return c;
     }
@@ -48,6 +64,7 @@ HWY_INLINE Cosines<Doubles> faulty_cosines(const WorldParts& world, const Surfac
 
 /// The cosine of the diffuse term.
 HWY_INLINE Doubles faulty_diffuse(const WorldParts& world, const MaterialLanes& material, Doubles n_l) {
+    if (world.fault == TracerFault::diffuse_squared) return n_l * max(n_l, Doubles(0));
     if (world.fault != TracerFault::diffuse_to_power) return n_l;
     return pow(max(n_l, Doubles(0)), material.value(k_shininess));
 }

@@ -53,6 +53,20 @@ HWY_INLINE Doubles face_normal_signs(const WorldParts& world, const SurfaceBatch
     });
 }
 
+/// The direction of P for spheres, else N.
+HWY_INLINE Vector3<Doubles> normals_from_origin(const WorldParts& world, const SurfaceBatch& surfaces,
+                                                int i) {
+    const Vector3<Doubles> point = load_vector3(surfaces.point, i);
+    const auto is_sphere = normal_signs(world, surfaces, i) < Doubles(0);
+    return select_vector3(is_sphere, point / max(length(point), Doubles(1e-300)),
+                          load_vector3(surfaces.normal, i));
+}
+
+/// From surfaces to the camera.
+HWY_INLINE Vector3<Doubles> camera_vectors(const WorldParts& world, const SurfaceBatch& surfaces, int i) {
+    return lanes_of(world.camera.position) - load_vector3(surfaces.point, i);
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace glint
 HWY_AFTER_NAMESPACE();
