@@ -11,6 +11,7 @@ set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 
 # clang's default include folders end with the host's /usr/include, so a header that wasi-libc lacks would be taken from
 # glibc. Therefore the folders are listed here, in clang's order: libc++, the compiler's own, wasi-libc.
+# Nothing asks for types at run time, and there is one thread: without what these need, the compressed file is 1% smaller.
 set(CMAKE_CXX_FLAGS_INIT "-nostdlibinc -isystem /usr/include/wasm32-wasi/c++/v1 -idirafter /usr/include/wasm32-wasi \
 -msimd128 -fno-exceptions -fno-rtti -fno-threadsafe-statics")
 # A reactor: no main, the host calls the exported functions. The stack is 1 MiB, below the data, so that a stack overflow
