@@ -125,9 +125,9 @@ void add_tone_curves(std::vector<SceneCause>& causes) {
         };
         causes.push_back(std::move(cause));
     };
-    add("Colors go through the curve c / (1 + c), which no scene asks for.",
+    add("Colors go through a tone curve, c / (1 + c): the scene has none.",
         [](double c) { return c / (1 + c); });
-    add("Colors go through the curve 1 - exp(-c), which no scene asks for.",
+    add("Colors go through a tone curve, 1 - exp(-c): the scene has none.",
         [](double c) { return 1 - exp(-c); });
 }
 

@@ -10,12 +10,16 @@ namespace {
 
 constexpr std::size_t k_max_shadow_lights = 4;  // each is rendered alone
 
-// The light of one light alone on white surfaces without highlights, also from behind: 0 only where it does
-// not reach.
-std::optional<Image> light_of(Scene scene, std::size_t light, const RenderScene& render) {
+void keep_only(Scene& scene, std::size_t light) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         if (i != light) switch_off(scene.lights[i]);
     }
+}
+
+// The light of one light alone on white surfaces without highlights, also from behind: 0 only where it does
+// not reach.
+std::optional<Image> light_of(Scene scene, std::size_t light, const RenderScene& render) {
+    keep_only(scene, light);
     scene.lights[light].color = {1, 1, 1};
     for_each_material(scene, [](Material& m) {
         m.diffuse = {1, 1, 1};
@@ -84,9 +88,7 @@ namespace {
 
 // What a light adds, with shadows or without.
 std::optional<Image> terms_of(Scene scene, std::size_t light, bool shadows, const RenderScene& render) {
-    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        if (i != light) switch_off(scene.lights[i]);
-    }
+    keep_only(scene, light);
     for_each_material(scene, [](Material& m) { m.emission = {0, 0, 0}; });
     scene.settings.shadows = scene.settings.shadows && shadows;
     scene.background = {0, 0, 0};
