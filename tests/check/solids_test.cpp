@@ -112,8 +112,8 @@ TEST(CheckSolids, FlushCuts) {
         // but for rounding
         "cylinder { from = (0.25, 1.25, 2.2)  to = (0.25, 1.25, 2.5000000001)  radius = 0.15 }",
         // a countersink: two cuts that touch each other
-        "cylinder { from = (0.25, 1.25, 2.2)  to = (0.25, 1.25, 2.4)  radius = 0.1 } "
-        "cylinder { from = (0.25, 1.25, 2.4)  to = (0.25, 1.25, 2.6)  radius = 0.2 }",
+        ("cylinder { from = (0.25, 1.25, 2.2)  to = (0.25, 1.25, 2.4)  radius = 0.1 } "
+         "cylinder { from = (0.25, 1.25, 2.4)  to = (0.25, 1.25, 2.6)  radius = 0.2 }"),
     };
     for (const char* what : k_flush) EXPECT_EQ(ids_with(cut_box(what)), "faces-coincide@7") << what;
     const std::string message = only_message(fmt::format("{}{}\n", k_clean, cut_box(k_flush[0])));

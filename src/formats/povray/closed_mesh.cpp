@@ -148,13 +148,12 @@ class MeshCloser {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const double x = coordinate(from, axis), y = coordinate(to, axis);
             const auto& all = by_axis_[axis];
-            const auto first_from = [&](double least) {
-                return std::lower_bound(all.begin(), all.end(), least, [&](std::uint32_t v, double limit) {
-                    return coordinate(v, axis) < limit;
-                });
-            };
-            const std::span<const std::uint32_t> range(first_from(number::min(x, y) - tolerance_),
-                                                       first_from(number::max(x, y) + tolerance_));
+            const auto below = [&](std::uint32_t v, double limit) { return coordinate(v, axis) < limit; };
+            // Pointers, because older versions of libc++ make no span of iterators.
+            const std::uint32_t *const begin = all.data(), *const end = begin + all.size();
+            const std::span<const std::uint32_t> range(
+                std::lower_bound(begin, end, number::min(x, y) - tolerance_, below),
+                std::lower_bound(begin, end, number::max(x, y) + tolerance_, below));
             if (axis == 0 || range.size() < near.size()) near = range;
         }
         steps_ += near.size();
