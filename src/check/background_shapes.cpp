@@ -126,10 +126,10 @@ void check_background_shapes(CheckContext& context) {
     const auto report = [&](const std::vector<std::uint32_t>& shapes, std::size_t pixels,
                             std::string_view what) {
         if (shapes.empty()) return;
-        const double percent = 100 * static_cast<double>(pixels) / static_cast<double>(rays.size());
+        const double share = static_cast<double>(pixels) / static_cast<double>(rays.size());
         context.report(
             "shape-looks-like-background", context.at_shape(shapes.front()),
-            fmt::format("{} {}: {:.2g}% of the picture", context.some_shapes(shapes), what, percent),
+            fmt::format("{} {}: {} of the picture", context.some_shapes(shapes), what, percent_text(share)),
             "give the shape another color than the background's");
     };
     report(same, pixels_of_same, "cannot be told from the background, which has the same color");

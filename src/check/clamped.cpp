@@ -126,13 +126,12 @@ void check_clamped_shapes(CheckContext& context, const VisibleHits& visible, Tes
         const bool single = clamped.shapes.size() == 1;
         context.report(
             "picture-clamped", context.at_shape(clamped.shapes.front()),
-            fmt::format(
-                "{} {} brighter than 1 and {} clamped on {:.2g}% of what is visible of {}: the k_a I_a + "
-                "the sum over the lights of k_d I_d + k_s I_s of {} can come to {}",
-                single ? context.shape(clamped.shapes.front()) : context.some_shapes(clamped.shapes),
-                single ? "is" : "are", single ? "is" : "are",
-                100 * static_cast<double>(clamped.over) / static_cast<double>(clamped.all),
-                single ? "it" : "them", context.material(material), clamped.bound.text()),
+            fmt::format("{} {} brighter than 1 and {} clamped on {} of what is visible of {}: the k_a I_a + "
+                        "the sum over the lights of k_d I_d + k_s I_s of {} can come to {}",
+                        single ? context.shape(clamped.shapes.front()) : context.some_shapes(clamped.shapes),
+                        single ? "is" : "are", single ? "is" : "are",
+                        percent_text(static_cast<double>(clamped.over) / static_cast<double>(clamped.all)),
+                        single ? "it" : "them", context.material(material), clamped.bound.text()),
             clamped.bound.remedy());
     }
 }
@@ -164,7 +163,7 @@ void check_clamped(CheckContext& context, const VisibleHits& visible, const Imag
     const auto most =
         static_cast<std::uint32_t>(std::max_element(pixels.begin(), pixels.end()) - pixels.begin());
     const std::string what =
-        fmt::format("{:.2g}% of the picture is brighter than 1 and is clamped", 100 * over);
+        fmt::format("{} of the picture is brighter than 1 and is clamped", percent_text(over));
     if (background > pixels[most]) {
         context.report("picture-clamped", context.at_background(), what + ", most of it background",
                        "darken the background");

@@ -101,11 +101,11 @@ void report_faces(CheckContext& context, const SolidFaces& faces, std::uint32_t 
         const std::size_t more = i + 1 == named ? list.size() - named : 0;
         context.report(
             "faces-coincide", context.at_shape(shape),
-            fmt::format("shapes {} and {} of {}, a {} and a {}, have faces that coincide, visible in {:.2g}% "
+            fmt::format("shapes {} and {} of {}, a {} and a {}, have faces that coincide, visible in {} "
                         "of the picture: rounding decides {} there, and other programs may show spots{}",
                         pair.earlier + 1, pair.later + 1, context.shape(shape),
                         to_string(operands[pair.earlier].kind), to_string(operands[pair.later].kind),
-                        100 * static_cast<double>(found.lines) * share_of_ray,
+                        percent_text(static_cast<double>(found.lines) * share_of_ray),
                         found.changes_surface ? "whether a surface is" : "whose material is",
                         more == 0 ? ""
                                   : fmt::format("; so do {} more {} of its shapes", more,

@@ -217,18 +217,19 @@ class Coincidences {
         for (std::size_t i = 0; i < named; ++i) {
             const auto& [pixels, pair] = list[i];
             const std::size_t more = i + 1 == named ? list.size() - named : 0;
-            context_.report("faces-coincide", context_.at_shape(pair.later),
-                            fmt::format("{} has a face that coincides with one of {}, visible in {:.2g}% of "
-                                        "the picture: the order in "
-                                        "the file or rounding decides which one a pixel shows{}",
-                                        context_.shape(pair.later), context_.shape_and_line(pair.earlier),
-                                        100 * static_cast<double>(pixels) / static_cast<double>(rays_),
-                                        more == 0 ? ""
-                                                  : fmt::format("; in {:.2g}% of it {} pairs of shapes do so",
-                                                                100 * static_cast<double>(all) /
-                                                                    static_cast<double>(rays_),
-                                                                list.size())),
-                            "move one of them by more than epsilon, or remove the covered one");
+            context_.report(
+                "faces-coincide", context_.at_shape(pair.later),
+                fmt::format("{} has a face that coincides with one of {}, visible in {} of "
+                            "the picture: the order in "
+                            "the file or rounding decides which one a pixel shows{}",
+                            context_.shape(pair.later), context_.shape_and_line(pair.earlier),
+                            percent_text(static_cast<double>(pixels) / static_cast<double>(rays_)),
+                            more == 0 ? ""
+                                      : fmt::format("; in {} of it {} pairs of shapes do so",
+                                                    percent_text(static_cast<double>(all) /
+                                                                 static_cast<double>(rays_)),
+                                                    list.size())),
+                "move one of them by more than epsilon, or remove the covered one");
         }
     }
 

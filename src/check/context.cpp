@@ -41,6 +41,13 @@ std::string item(std::string_view word, std::uint32_t index, std::string_view na
 
 }  // namespace
 
+std::string percent_text(double share) {
+    const double percent = 100 * share;
+    // Two digits of 99.7 would be "1e+02", and those of small numbers "2e-05".
+    if (percent >= 99.5) return "100%";
+    return percent < 0.001 && percent > 0 ? "less than 0.001%" : fmt::format("{:.2g}%", percent);
+}
+
 std::string vector_text(Vec3 v) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", v.x, v.y, v.z); }
 
 SmallSize small_size(const RenderSettings& settings, std::int32_t longest) {

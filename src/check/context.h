@@ -28,6 +28,8 @@ template <class Test> double share_of_pixels(const Image& image, const Test& tes
 
 /// As findings write it: "(1, 2.5, -3)".
 std::string vector_text(Vec3 v);
+/// A share from 0 to 1: "0.53%", "100%".
+std::string percent_text(double share);
 
 /// The sides of the picture, made small: at most `longest` pixels, in about the same proportion.
 struct SmallSize {

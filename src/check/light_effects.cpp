@@ -84,10 +84,10 @@ bool check_spot_angle(CheckContext& context, Effects& effects, std::uint32_t ind
         "spot-angle-in-radians", context.at_light(index),
         fmt::format(
             "{} has an outer angle of {:.4g} degrees, so that it lights {} of the picture: is the angle "
-            "in radians? {:.4g} radians are {:.3g} degrees, which light {:.2g}% of it",
+            "in radians? {:.4g} radians are {:.3g} degrees, which light {} of it",
             context.light(index), light.outer_angle,
             now == 0 ? "nothing" : fmt::format("only {:.1g}%", 100 * now), light.outer_angle,
-            wide.outer_angle, 100 * then),
+            wide.outer_angle, percent_text(then)),
         fmt::format("write the angles in degrees: {:.3g} instead of {:.4g}", wide.outer_angle,
                     light.outer_angle));
     return false;
@@ -108,10 +108,10 @@ bool check_spot_tightness(CheckContext& context, Effects& effects, std::uint32_t
         "spot-too-tight", context.at_light(index),
         fmt::format(
             "{} has the tightness {:.4g}: its light is cos^{:.4g}, {}; with a tightness of {:.0f} it would "
-            "light {:.2g}% of the picture",
+            "light {} of the picture",
             context.light(index), tightness, tightness,
             now == 0 ? "of which nothing is visible" : fmt::format("a dot of {:.1g}%", 100 * now),
-            k_usual_tightness, 100 * then),
+            k_usual_tightness, percent_text(then)),
         "give it a tightness from 0 to 100; for a narrow beam, a small `outer_angle`");
     return false;
 }
@@ -140,11 +140,10 @@ void check_attenuation(CheckContext& context, const VisibleHits& visible, Effect
         names += fmt::format(" and {} more", faint.size() - k_max_faint_named);
     context.report(
         "light-attenuated-away", context.at_light(faint[0]),
-        fmt::format(
-            "attenuation leaves {:.2g}% of the light of {}: {} {:.3g} units away from the nearest surface "
-            "that faces it, and at most {:.2g} of 255 {} added to a pixel",
-            100 / times, names, faint.size() == 1 ? "it is" : "the first is", distance, 255 * now,
-            faint.size() == 1 ? "is" : "are together"),
+        fmt::format("attenuation leaves {} of the light of {}: {} {:.3g} units away from the nearest surface "
+                    "that faces it, and at most {:.2g} of 255 {} added to a pixel",
+                    percent_text(1 / times), names, faint.size() == 1 ? "it is" : "the first is", distance,
+                    255 * now, faint.size() == 1 ? "is" : "are together"),
         fmt::format("raise the intensity about {:.2g} times, or reduce the attenuation", times));
 }
 

@@ -61,11 +61,11 @@ void check_one_sample(CheckContext& context, std::uint32_t index) {
     context.report(
         "area-light-one-sample", context.at_light(index),
         fmt::format(
-            "{} has one sample: {}; with {} x {} samples {:.2g}% of the picture differs by more "
+            "{} has one sample: {}; with {} x {} samples {} of the picture differs by more "
             "than 8 of 255",
             context.light(index),
             light.jitter ? "its shadows are noise" : "all its light comes from one point, whatever its size",
-            k_few_samples, k_few_samples, 100 * changed),
+            k_few_samples, k_few_samples, percent_text(changed)),
         fmt::format("set samples_u = {} and samples_v = {}, or write a point light", k_few_samples,
                     k_few_samples));
 }

@@ -48,10 +48,10 @@ void check_backs(CheckContext& context, const VisibleHits& visible) {
     context.report(
         "seen-from-behind", context.at_shape(backs.front()),
         fmt::format(
-            "{} {} seen from behind, in {:.2g}% of the picture, where the lights on the viewer's side have "
+            "{} {} seen from behind, in {} of the picture, where the lights on the viewer's side have "
             "no effect: these conventions do not turn a normal towards the viewer{}",
             context.some_shapes(backs), backs.size() == 1 ? "is" : "are",
-            100 * static_cast<double>(pixels) / static_cast<double>(visible.rays()),
+            percent_text(static_cast<double>(pixels) / static_cast<double>(visible.rays())),
             fronts == 0   ? ""
             : fronts == 1 ? "; another flat shape is seen from the front"
                           : fmt::format("; {} other flat shapes are seen from the front", fronts)),

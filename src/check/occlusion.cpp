@@ -37,8 +37,8 @@ void check_occlusion(CheckContext& context) {
         "occlusion-reach-too-short", {scene.occlusion_place, SceneItem::background},
         fmt::format(
             "the reach of the occlusion is {:.3g}, and no shape is that near to a visible surface: nothing "
-            "is darkened; without a limit {:.2g}% of the picture would be darker",
-            reach, 100 * unlimited),
+            "is darkened; without a limit {} of the picture would be darker",
+            reach, percent_text(unlimited)),
         "raise `reach` to about the distance between neighbouring shapes, or leave it out");
 }
 

@@ -125,17 +125,17 @@ void check_epsilon(CheckContext& context, const VisibleHits& visible, const Imag
     if (epsilon < trusted) {
         context.report(
             "epsilon-too-small", place,
-            fmt::format("epsilon = {:.3g} is too small for this scene: {:.2g}% of the picture is in shadow "
+            fmt::format("epsilon = {:.3g} is too small for this scene: {} of the picture is in shadow "
                         "acne, where rays intersect the surface that they leave",
-                        epsilon, 100 * differs),
+                        epsilon, percent_text(differs)),
             remedy);
     } else {
         context.report(
             "epsilon-too-large", place,
             fmt::format(
-                "epsilon = {:.3g} is too large for this scene: {:.2g}% of the picture differs from that with "
+                "epsilon = {:.3g} is too large for this scene: {} of the picture differs from that with "
                 "epsilon = {:.2g}, because rays start beyond nearby objects",
-                epsilon, 100 * differs, trusted),
+                epsilon, percent_text(differs), trusted),
             remedy + "; or make the scene larger");
     }
 }
@@ -175,9 +175,9 @@ void check_reflections(CheckContext& context, const VisibleHits& visible, const 
     const bool one = first == 1;
     context.report(
         "reflections-too-few", context.at_setting("reflections"),
-        fmt::format("{} more than {} {} {:.2g}% of the picture by more than 8 of 255: {}",
+        fmt::format("{} more than {} {} {} of the picture by more than 8 of 255: {}",
                     one ? "one reflection" : fmt::format("{} reflections", first), now,
-                    one ? "changes" : "change", 100 * changed,
+                    one ? "changes" : "change", percent_text(changed),
                     now == 0 ? "mirrors and glass are switched off"
                     : one    ? "mirrors or glass are seen in each other past the limit"
                              : "rays enter glass, but do not leave it"),

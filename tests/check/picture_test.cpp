@@ -71,6 +71,12 @@ plane { point = (0, 0, 0)  normal = (0, 1, 0)  material = floor }
     EXPECT_EQ(ids_of(text), "picture-clamped@4");
     EXPECT_TRUE(has(only_message(text), "can come to 1.35")) << only_message(text);
     EXPECT_EQ(ids_of("background = (1.5, 1.5, 1.5)\n" + k_clean), "picture-clamped@1");
+    const std::string all = only_message(R"(camera { position = (0, 2, 8)  look_at = (0, 0, 0)  fov_x = 20 }
+light { position = (3, 60, 5)  intensity = 5 }
+plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.9, 0.9, 0.9) }
+sphere { center = (0, 0.3, 0)  radius = 0.08  color = (0.02, 0.02, 0.02)  specular = 0 }
+)");
+    EXPECT_TRUE(has(all, " 100% of ")) << all;
 }
 
 TEST(CheckPicture, ClampedByAmbientLight) {
