@@ -51,11 +51,26 @@ bool is_enclosure(const WorldParts& world, std::uint32_t shape) {
     return false;
 }
 
+// A clipped solid is a surface only, and one without the light of any light is a backdrop.
+bool is_surface_only(const CheckContext& context, std::uint32_t shape) {
+    const Scene& scene = context.scene();
+    if (const Shape& of = scene.shapes[shape]; of.kind == ShapeKind::solid) {
+        const SolidTree& tree = scene.solids[scene.get<Solid>()[of.index].solid];
+        if (tree.steps.back().operation == SolidOperation::clip) return true;
+    }
+    const Material& material = context.material_of(shape);
+    const auto is_zero = [](const Color& c) { return c == Color{0, 0, 0}; };
+    return is_zero(material.diffuse) && is_zero(material.specular) && is_zero(material.phong) &&
+           material.mirror == 0 && material.transmission == 0 && !material.is_transparent();
+}
+
 void check_inside(CheckContext& context, const VisibleHits& visible) {
     const Scene& scene = context.scene();
     const std::vector<bool> hit = visible.hit_shapes(scene);
     for (const std::uint32_t shape : shapes_around(context, scene.camera.position)) {
-        if (is_enclosure(context.world(), shape) || (visible.is_passed(shape) && !hit[shape])) continue;
+        if (is_enclosure(context.world(), shape) || is_surface_only(context, shape) ||
+            (visible.is_passed(shape) && !hit[shape]))
+            continue;
         context.report("camera-inside-shape", context.at_camera(),
                        fmt::format("the camera at {} is inside {}: the picture shows the inside of the shape",
                                    vector_text(scene.camera.position), context.shape_and_line(shape)),

@@ -45,6 +45,12 @@ TEST(CheckCamera, NotInsideWhatIsOpenBesideItOrAroundAll) {
           "sphere { center = (3, 4, 9.5)  radius = 3.5 }",
           // the sky
           "sphere { center = (0, 0, 0)  radius = 200  color = (0.4, 0.5, 0.9)  ambient = 3 }",
+          // a sky without lights' light, which is all there is
+          "sphere { center = (0, 0, 0)  radius = 12  color = (0.4, 0.5, 0.9)  diffuse = 0  specular = 0  "
+          "ambient = 1 }",
+          // a sheet: the half-space behind a plane, of which the surface is cut out
+          "clip { plane { point = (0, 0, -3)  normal = (0, 0, -1) } sphere { center = (0, 2, -3)  radius = "
+          "0.5 } }",
           // a room under a sky
           "box { min = (-9, -1, -9)  max = (9, 9, 9) }\nsphere { center = (0, 0, 0)  radius = 200 }"}) {
         EXPECT_FALSE(has(ids_of(k_clean + shape), "camera-inside")) << shape << "\n"
