@@ -60,9 +60,14 @@ bool decides_by_rounding(const LogModel& model, const ObservedPlace& place, doub
         const Vec3 side =
             unit(ApproxVec(cross(normal, std::fabs(normal.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}))).value();
         const Vec3 other = cross(normal, side);
-        const double by =
+        double by =
             std::max(p->error(), (ray.ray().generation > 1 ? 1e-3 : 2e-4) * std::max(1.0, length(*p).v));
-        for (const Vec3 moved : {side * by, side * -by, other * by, other * -by})
+        // Programs begin the ray above the surface or at it, and direct it from there to the light or as L.
+        const Conventions& rules = model.scene.conventions;
+        if (rules.offset != Offset::ray && rules.offset != Offset::scale)
+            by = std::max(by, std::min(rules.epsilon, 2e-3 * std::max(1.0, length(*p).v)));
+        const Vec3 up = normal * (dot(normal, to_light) < 0 ? -by : by);
+        for (const Vec3 moved : {side * by, side * -by, other * by, other * -by, up})
             if (ray.is_blocked_from(place.light, point + moved, to_light) == (yours != 0)) return true;
         return false;
     }

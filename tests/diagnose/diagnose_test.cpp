@@ -197,6 +197,45 @@ TEST(Diagnose, ARowTooFarIsNotAFlippedPicture) {
     EXPECT_NE(found.find("direction"), std::string::npos) << found;
 }
 
+// Where the shadow ray from P + epsilon N runs beside the one from there to the light, both programs are
+// right.
+TEST(Diagnose, BordersOfShadowsMoveByEpsilon) {
+    const OwnScene own = own_scene(R"({
+ "name": "pipe",
+ "camera": { "position": [1.5, -9, 3.2], "target": [0.3, 0, 0.9], "up": [0, 0, 1], "fov": 48 },
+ "materials": [ { "name": "clay", "color": [0.9, 0.2, 0.1], "ambient": 0.15, "diffuse": 0.75, "specular": 0, "shininess": 1 } ],
+ "lights": [ { "position": [6, -3, 4], "color": [0.25, 0.35, 0.5] } ],
+ "planes": [ { "center": [0, 0, 0], "normal": [0, 0, 1], "material": "clay" } ],
+ "cylinders": [ { "center": [3.4, -1.4, 0.5], "axis": [1, 1, 0], "radius": 0.5, "height": 1.6, "material": "clay" } ]
+})",
+                                   "pipe.json", 480, 320);
+    const std::string log = R"(pixel 322 241
+ray camera
+P 1.7325361306379454 -1.2937636894990057 0
+N 0 0 1
+light 1
+L 0.70040832923445517 -0.28004036123118081 0.65651014342545289
+blocked 0
+pixel 316 244
+ray camera
+P 1.6420179816243321 -1.4210971965905417 0
+N 0 0 1
+light 1
+L 0.71179841435071134 -0.25788553214353027 0.65332845463737543
+blocked 0
+)";
+    EXPECT_EQ(first_finding(own, log), "");
+    const std::string inside = R"(pixel 350 232
+ray camera
+P 2.1762028068873414 -0.86896531911682118 0
+N 0 0 1
+light 1
+L 0.64484232286773835 -0.35937610818051868 0.67455703354687779
+blocked 0
+)";
+    EXPECT_EQ(first_finding(own, inside).rfind("blocked: ", 0), 0u);
+}
+
 TEST(Diagnose, DoesNotDependOnThreads) {
     const OwnScene own = scene_of("epfl/castle.json");
     OwnLog log;
