@@ -50,6 +50,11 @@ RubricSettings joined(RubricSettings a, const RubricSettings& b) {
     return a;
 }
 
+FaultChain without_those_of_pictures(FaultChain chain) {
+    std::erase_if(chain.faults, [](const NamedFault& f) { return f.of_pictures.has_value(); });
+    return chain;
+}
+
 bool is_one_color(const BytePicture& picture) {
     for (std::size_t i = 3; i < picture.rgb.size(); ++i) {
         if (picture.rgb[i] != picture.rgb[i % 3]) return false;
@@ -178,9 +183,17 @@ std::optional<WantedPicture> PartRenderer::render(const RubricRow& row, const Fa
         found.image = rounded(found.bytes);
         found.counts = away_from_edges(found.bytes, options_.threads);
         if (!row.without.empty()) {
-            const auto without = render_faulty(joined(row.settings, row.without), chain, picture);
-            if (!without) return;
-            found.shows = that_differ(found.counts, without->bytes, found.bytes);
+            const RubricSettings settings = joined(row.settings, row.without);
+            if (const auto without = render_faulty(settings, chain, picture)) {
+                found.shows = that_differ(found.counts, without->bytes, found.bytes);
+            } else {
+                // What is fitted to the picture, such as a gamma, does not fit one without the part.
+                const FaultChain unfitted = without_those_of_pictures(chain);
+                const auto a = render_faulty(row.settings, unfitted, picture),
+                           b = render_faulty(settings, unfitted, picture);
+                if (!a || !b) return;
+                found.shows = that_differ(found.counts, b->bytes, a->bytes);
+            }
         }
         const bool is_of_scene = std::all_of(chain.faults.begin(), chain.faults.end(),
                                              [](const NamedFault& f) { return f.edit && !f.of_pictures; });

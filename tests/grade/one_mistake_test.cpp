@@ -39,6 +39,9 @@ void swap_red_and_blue(Image& image) {
 void apply_gamma(Image& image) {
     for (float& v : image.rgb) v = std::pow(std::clamp(v, 0.0F, 1.0F), 1 / 2.2F);
 }
+void take_square_root(Image& image) {
+    for (float& v : image.rgb) v = std::sqrt(std::clamp(v, 0.0F, 1.0F));
+}
 void turn_upside_down(Image& image) {
     const auto row = static_cast<std::ptrdiff_t>(image.width) * 3;
     for (std::ptrdiff_t y = 0; y < image.height / 2; ++y)
@@ -50,6 +53,7 @@ const std::vector<Program> k_class = {
     {"right", ""},
     {"bgr", "", TracerFault::none, swap_red_and_blue},
     {"gamma", "", TracerFault::none, apply_gamma},
+    {"root", "", TracerFault::none, take_square_root},
     {"upside-down", "", TracerFault::none, turn_upside_down},
     {"aspect", "aspect-missing"},
     {"l", "", TracerFault::light_not_unit},
@@ -201,7 +205,7 @@ TEST(OneMistake, APenaltyIsTakenOffInstead) {
         rubric_of({0, 1, 2, 3, 4}, "penalty gamma-applied 2\npenalty red-blue-swapped 1.5\npenalty acne 70");
     ASSERT_EQ(rubric.penalties.size(), 3u);
     for (const GradedSubmission& s : grade_by_rubric(scene, rubric, programs).value()) {
-        const double off = s.name == "gamma" ? 2 : s.name == "bgr" ? 1.5 : 0;
+        const double off = s.name == "gamma" || s.name == "root" ? 2 : s.name == "bgr" ? 1.5 : 0;
         if (off == 0) continue;
         EXPECT_EQ(s.total(), 75 - off) << s.name;
         ASSERT_EQ(s.penalties.size(), 1u);
