@@ -155,6 +155,22 @@ test('at 360 pixels nothing is cut off, and every panel can be reached', () => w
     await choose(page, 'glint/still_life.glint');
 }, {width: 360, height: 740}));
 
+/** The middle of an element's box, from the top. */
+const middle = async (locator) => {
+    const {y, height} = await locator.boundingBox();
+    return y + height / 2;
+};
+
+test('the menu of scenes is closed beside its title, on a phone too', async (t) => {
+    for (const width of [360, 390, 1280]) await t.test(String(width), () => withPage(async (page) => {
+        await page.getByRole('button', {name: 'Scenes', exact: true}).click();
+        const menu = page.getByRole('dialog', {name: 'Scenes'}), close = menu.getByRole('button', {name: 'Close'});
+        assert.ok(Math.abs(await middle(menu.getByRole('heading', {name: 'Scenes', exact: true})) - await middle(close)) < 4);
+        const box = await close.boundingBox(), whole = await menu.boundingBox();
+        assert.ok(whole.x + whole.width - box.x - box.width < 40, 'at the right end');
+    }, {width, height: 800}));
+});
+
 test('on a phone the picture stays in sight while its controls are used', () => withPage(async (page) => {
     const slider = page.locator('[data-light="2"]').getByRole('slider', {name: 'Direction z'});
     await slider.evaluate((input) => input.scrollIntoView({block: 'end'}));

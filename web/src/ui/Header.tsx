@@ -34,7 +34,7 @@ function SceneMenu() {
             <dialog ref={dialog} class="menu" aria-label="Scenes"
                     onClick={(event) => event.target === event.currentTarget && event.currentTarget.close()}>
                 <div class="menu-body">
-                    <div class="menu-head">
+                    <div class="menu-head of-scenes">
                         <h2>Scenes</h2>
                         <FileButton label="Open files…" opened={() => dialog.current?.close()} />
                         <FileButton label="Open a folder…" folder opened={() => dialog.current?.close()} />
