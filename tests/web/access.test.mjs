@@ -171,6 +171,14 @@ test('the menu of scenes is closed beside its title, on a phone too', async (t) 
     }, {width, height: 800}));
 });
 
+test('the buttons of a first visit are one line', async (t) => {
+    for (const width of [1024, 1280]) await t.test(String(width), () => withPage(async (page) => {
+        const buttons = page.locator('.welcome .button');
+        assert.equal(await buttons.count(), 3);
+        assert.equal(await middle(buttons.first()), await middle(buttons.last()));
+    }, {width, height: 800}));
+});
+
 test('on a phone the picture stays in sight while its controls are used', () => withPage(async (page) => {
     const slider = page.locator('[data-light="2"]').getByRole('slider', {name: 'Direction z'});
     await slider.evaluate((input) => input.scrollIntoView({block: 'end'}));
