@@ -179,6 +179,19 @@ test('the buttons of a first visit are one line', async (t) => {
     }, {width, height: 800}));
 });
 
+test('a point that the line of a pixel has no room for ends with an ellipsis', () => withPage(async (page) => {
+    await choose(page, 'castle.json');
+    await clickPicture(page, 0.5, 0.55);
+    const point = page.locator('.pixel-line .point');
+    await point.waitFor();
+    const {cut, shown, style, room} = await point.evaluate((e) => ({
+        cut: e.scrollWidth > e.clientWidth, shown: e.getBoundingClientRect().right, style: getComputedStyle(e).textOverflow,
+        room: e.closest('.pixel-line').getBoundingClientRect().right,
+    }));
+    assert.ok(cut && shown <= room + 1 && style === 'ellipsis', `${cut} ${shown} ${room} ${style}`);
+    assert.equal(await point.getAttribute('title'), await point.textContent());
+}, {width: 1280, height: 800}));
+
 test('on a phone the picture stays in sight while its controls are used', () => withPage(async (page) => {
     const slider = page.locator('[data-light="2"]').getByRole('slider', {name: 'Direction z'});
     await slider.evaluate((input) => input.scrollIntoView({block: 'end'}));

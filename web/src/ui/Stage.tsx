@@ -99,6 +99,7 @@ function PixelLine() {
     const explanation = hovered.value ?? pinned.value;
     if (!explanation) return <p class="pixel-line how" aria-live="polite">Point at the picture; click a pixel to take it apart; drag to turn the camera, with Shift to shift it.</p>;
     const hit = explanation.rays[0]?.hit;
+    const point = hit ? `(${hit.point.map((c) => Number(c.toPrecision(4))).join(', ')})` : '';
     return (
         <p class="pixel-line" aria-live="polite">
             <span class="mono">({explanation.pixel.join(', ')})</span>
@@ -107,7 +108,7 @@ function PixelLine() {
             <OwnPixel at={explanation.pixel} />
             {hit ? <>
                 <button class="link" onClick={() => reveal(hit.shape)}>{itemName(hit.shape)}</button>
-                <span class="mono faint point">({hit.point.map((c) => Number(c.toPrecision(4))).join(', ')})</span>
+                <span class="mono faint point" title={point}>{point}</span>
             </> : <span>background</span>}
         </p>
     );
