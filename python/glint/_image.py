@@ -44,8 +44,9 @@ class _Layers(Mapping[str, FloatArray]):
 class Image(Closed):
     """A picture: linear RGB floats, row by row from the top.
 
-    Image(array) copies height x width x 3 (or 4) numbers, or height x width greys; of integers, the type's
-    largest is 1. A PIL image is accepted as well. Image.open() reads a PNG, PPM, JPEG or OpenEXR file.
+    Image(array) copies height x width x 3 (or 4) numbers, or height x width greys: floats, of which 1 is the
+    brightest, or uint8 or uint16, whose largest number it is. A PIL image is accepted as well. Image.open() reads a PNG,
+    PPM, JPEG or OpenEXR file.
     """
 
     def __init__(self, picture: Any) -> None:
@@ -219,6 +220,12 @@ def _to_array(picture: Any) -> FloatArray:
     if isinstance(picture, (str, os.PathLike)):
         raise TypeError(f"Image() takes an array; glint.Image.open({os.fspath(picture)!r}) reads a file")
     array = np.asarray(picture)
+    if array.ndim in (2, 3) and (array.dtype.kind == "i" or (array.dtype.kind == "u" and array.dtype.itemsize > 2)):
+        # What 1 is cannot be known: 255 in many programs, whose arrays are NumPy's own int64.
+        raise TypeError(
+            f"a picture of whole numbers is an array of uint8 (0 to 255) or uint16 (0 to 65535), found {array.dtype}: "
+            "convert it, as by astype(np.uint8), or divide it to floats from 0 to 1"
+        )
     if array.dtype.kind in "ui":
         array = array.astype(np.float32) / np.float32(np.iinfo(array.dtype).max)
     if array.ndim == 2:
