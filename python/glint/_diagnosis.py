@@ -72,6 +72,8 @@ def diagnose(
     if isinstance(log, TraceLog):
         name, text = "log", log.text.encode()
         size = size or (log._width, log._height)
+    elif isinstance(log, str) and "\n" in log:
+        raise ValueError("log: expected a TraceLog or the path of a log, found the text of one: write it to a file")
     else:
         name, text = os.fspath(log), pathlib.Path(log).read_bytes()
     settings = dict(size=size, aa=aa, shading=shading, reflections=reflections, shadows=shadows, seed=seed)
