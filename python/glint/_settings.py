@@ -74,6 +74,8 @@ def to_crop(crop: Any) -> Optional[Tuple[int, int, int, int]]:
             "crop: expected (width, height, x, y), four whole numbers of pixels, or 'WIDTHxHEIGHT+X+Y', "
             f"found {crop!r}"
         ) from None
+    if width <= 0 or height <= 0:
+        raise ValueError(f"crop: expected (width, height, x, y) with a width and a height above 0, found {crop!r}")
     return width, height, x, y
 
 

@@ -70,6 +70,7 @@ def test_classes_of_users_have_attributes_of_their_own():
         (lambda: glint.Scene().shapes.append(3), "shapes: expected a Shape, found 3"),
         (lambda: glint.Scene().spheres([(0, 0, 0)], material="gold"), "material: expected a Material or None, found 'gold'"),
         (lambda: glint.Scene().render(crop="10x10"), "crop: expected (width, height, x, y), four whole numbers of pixels, or"),
+        (lambda: glint.Scene().render(crop=(0, 0, 10, 10)), "crop: expected (width, height, x, y) with a width and a height above 0, found (0, 0"),
         (lambda: glint.diagnose(glint.Scene(), "pixel 1 2\nmiss\n"), "log: expected a TraceLog or the path of a log, found the text of one"),
         (lambda: glint.Image(np.full((2, 2, 3), 200)), "a picture of whole numbers is an array of uint8 (0 to 255) or uint16 (0 to 65535), found int64"),
         (lambda: glint.compare([[0, 1]], IMAGE), "a picture of whole numbers is an array of uint8"),
