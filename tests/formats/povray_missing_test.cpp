@@ -182,6 +182,23 @@ TEST(PovRayMissing, BoundsOfShapesWithoutEnds) {
         EXPECT_EQ(said(text), "") << text;
 }
 
+TEST(PovRayMissing, BoundsThatAreTooSmall) {
+    for (const char* text :
+         {"sphere { 0, 1 bounded_by { box { <-.5, .5, -.5>, <.5, 1.5, .5> } } }",
+          "torus { 1, .3 bounded_by { sphere { 0, .7 } } }", "box { -1, 1 bounded_by { sphere { 0, .4 } } }",
+          "difference { box { -1, 1 } sphere { 1, .5 } bounded_by { box { -.4, .4 } } }",
+          "sphere { 0, 1 translate 3*x bounded_by { sphere { 0, .9 } } }",
+          "union { sphere { 0, 1 } sphere { 2*x, 1 } bounded_by { box { -1, 1 } } rotate 20*z }"})
+        EXPECT_NE(said(text).find("this one reaches out of it"), std::string::npos) << text;
+    for (const char* text :
+         {"sphere { 0, 1 bounded_by { sphere { 0, 1 } } }", "sphere { 0, 1 bounded_by { box { -1, 1 } } }",
+          "sphere { 0, 1 bounded_by { sphere { 0, 1 } } translate 3*x rotate 20*z }",
+          "torus { 1, .3 bounded_by { box { -.9, .9 } } }", "sphere { 0, 1 bounded_by { plane { y, 2 } } }",
+          "union { sphere { 0, 1 } sphere { x, 1 } bounded_by { box { -1, 2 } } }",
+          "sphere { 0, 1 clipped_by { plane { y, 0 } } bounded_by { clipped_by } }"})
+        EXPECT_EQ(said(text), "") << text;
+}
+
 TEST(PovRayMissing, RefractionOfThreeObjectsWithinEachOther) {
     const std::string glass = "pigment { rgbt 1 } interior { ior 1.5 } }";
     const Scene scene = povray_scene("sphere { 0, 1 " + glass);

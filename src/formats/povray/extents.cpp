@@ -19,6 +19,7 @@ namespace {
 constexpr double k_all_space = 1e10;
 constexpr double k_thickness = 0.001;  // of half a disc
 constexpr double k_aligned = 1e-9;
+constexpr double k_bounds_slack = 1e-3;  // of the object's box
 
 Extent all_space() {
     return {{-k_all_space, -k_all_space, -k_all_space}, {k_all_space, k_all_space, k_all_space}};
@@ -278,6 +279,11 @@ class ExtentReader {
     std::string_view& why_;
 };
 
+double volume(const Extent& box) {
+    const Vec3 size = box.high - box.low;
+    return size.x * size.y * size.z;
+}
+
 }  // namespace
 
 std::optional<Extent> extent_of(const Object& object, const std::function<bool(std::uint64_t)>& spend,
@@ -286,6 +292,18 @@ std::optional<Extent> extent_of(const Object& object, const std::function<bool(s
     if (extent && extent->low.x <= extent->high.x) return extent;
     if (extent) why = "it has no points";
     return std::nullopt;
+}
+
+bool leaves_bounds(const Object& object, const Object& bounds,
+                   const std::function<bool(std::uint64_t)>& spend) {
+    if (bounds.is_inverse) return false;
+    std::string_view why;
+    const auto inner = extent_of(object, spend, why), outer = extent_of(bounds, spend, why);
+    if (!inner || !outer || !is_bounded(*inner) || volume(*outer) >= volume(*inner)) return false;
+    const Vec3 slack = (inner->high - inner->low) * k_bounds_slack;
+    const Vec3 low = inner->low + slack, high = inner->high - slack;
+    return low.x < outer->low.x || low.y < outer->low.y || low.z < outer->low.z || high.x > outer->high.x ||
+           high.y > outer->high.y || high.z > outer->high.z;
 }
 
 }  // namespace glint::povray

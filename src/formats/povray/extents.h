@@ -19,4 +19,9 @@ struct Extent {
 std::optional<Extent> extent_of(const Object& object, const std::function<bool(std::uint64_t)>& spend,
                                 std::string_view& why);
 
+/// Whether POV-Ray's box around `bounds` is smaller than that around the object, which reaches out of it:
+/// POV-Ray takes the box that has less volume. False where one of them is not known.
+bool leaves_bounds(const Object& object, const Object& bounds,
+                   const std::function<bool(std::uint64_t)>& spend);
+
 }  // namespace glint::povray

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The modifiers of objects.
 #include "formats/povray/clip.h"
+#include "formats/povray/extents.h"
 #include "formats/povray/object_parser.h"
 #include "formats/povray_keywords.h"
 
@@ -86,8 +87,9 @@ bool ObjectParser::read_modifier(Object& object) {
             read_clip(object);
             return true;
         case Word::k_bounded_by:
-            object.is_bounded = true;
-            [[fallthrough]];
+            take();
+            read_bounds(object);
+            return true;
         case Word::k_photons:
         case Word::k_radiosity:
             take();
@@ -126,6 +128,20 @@ bool ObjectParser::read_modifier(Object& object) {
         default:
             return false;
     }
+}
+
+// { objects }, after bounded_by.
+void ObjectParser::read_bounds(Object& object) {
+    if (!expect('{')) return;
+    const bool is_clip = accept(Word::k_clipped_by);
+    while (!failed() && !accept('}')) {
+        if (is_clip || !begins_object(peek())) return expected(is_clip ? "`}`" : "an object or `}`");
+        const Object bounds = read_object();
+        accept(',');
+        object.leaves_bounds |=
+            !failed() && leaves_bounds(object, bounds, [&](std::uint64_t steps) { return spend(steps); });
+    }
+    object.is_bounded = true;
 }
 
 // { objects }, after clipped_by: reported unless the objects hold the whole shape.

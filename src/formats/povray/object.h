@@ -130,7 +130,7 @@ struct Object {
     double r = 0,
            s = 0;  ///< radii; plane: the distance; disc: that of the hole in s; quadric: the constant in s
     bool is_open = false, is_no_shadow = false, is_merge = false, is_inverse = false, is_uv = false,
-         is_cutaway = false, is_bounded = false;
+         is_cutaway = false, is_bounded = false, leaves_bounds = false;
     bool is_curve = false;            ///< a sphere_sweep with a curved spline
     bool is_moved_by_matrix = false;  ///< by `matrix` or `transform`
     Token at;

@@ -56,6 +56,7 @@ class ObjectParser : public TextureParser {
     void read_modifiers(Object& object);
     bool read_modifier(Object& object);
     void read_clip(Object& object);
+    void read_bounds(Object& object);
 
     // meshes.cpp
     Object read_mesh(const Token& word);

@@ -153,6 +153,11 @@ void SceneBuilder::place(const Object& object, const Inherited& from) {
         return;
     }
     report(object.missing);
+    if (object.leaves_bounds && !own.in_solid)
+        stream_.warn_once(
+            "bounded_by", object.at,
+            "POV-Ray draws an object only where rays meet its bounded_by, and this one reaches out of it: "
+            "the picture may differ");
     if (object.no_reflection && !no_reflection_) no_reflection_ = stream_.call_place(*object.no_reflection);
     // If the camera does not see what is cut, it is not cut: Jmol cuts by the box of the picture.
     const bool may_be_unseen = !is_quiet_ && object.clip && object.clips.size() == 1 && !from.map &&
