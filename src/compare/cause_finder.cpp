@@ -325,8 +325,9 @@ void CauseFinder::name(Search& search) {
     judge_agreement(search);
 }
 
-// Pictures that differ by no more than rounding have no cause but truncation. A few pixels on edges have none
-// that is only likely, and a few elsewhere have none that is a guess from the pictures alone.
+// Pictures that differ by no more than rounding have no cause but truncation. A few pixels on edges have none:
+// shadow rays of correct programs begin in different places, which moves the borders of shadows. A few elsewhere
+// have none that is a guess from the pictures alone.
 void CauseFinder::judge_agreement(Search& search) const {
     CauseReport& report = search.report;
     const bool is_explained = !report.causes.empty() && !report.causes.front().perhaps;
@@ -336,7 +337,8 @@ void CauseFinder::judge_agreement(Search& search) const {
         report.remark =
             fmt::format("The pictures agree: all pixels are within rounding; {} of {} {} by 1 of 255.",
                         search.differing, pixels, search.differing == 1 ? "differs" : "differ");
-    } else if (!is_explained && is_few(search.beyond_rounding) && report.remark.empty()) {
+    } else if ((!is_explained || search.is_on_edges) && is_few(search.beyond_rounding) &&
+               report.remark.empty()) {
         report.remark =
             fmt::format("All pixels but {} of {} are within rounding (1 of 255){}.", search.beyond_rounding,
                         pixels, search.is_on_edges ? ", and these are on edges, where renderers differ" : "");

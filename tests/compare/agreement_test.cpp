@@ -78,6 +78,27 @@ TEST(Agreement, NoiseOnAGradientIsNoAntiAliasing) {
     for (const Cause& cause : report.causes) EXPECT_NE(cause.name, "anti-aliasing") << all_causes(report);
 }
 
+// A shadow ray that begins at P + epsilon N and has the direction L, as a correct program may send it: a few
+// pixels at the borders of shadows differ, and nothing is behind the light.
+TEST(Agreement, BordersOfShadowsAreNoSureCause) {
+    Scene scene = read_scene(R"(
+camera { position = (1.5, -9, 3.2)  look_at = (0.3, 0, 0.9)  up = (0, 0, 1)  fov_x = 48 }
+light { type = ambient }
+light { type = point  position = (-5, -6, 7)  color = (0.9, 0.8, 0.65) }
+plane { point = (0, 0, 0)  normal = (0, 0, 1)  color = (0.55, 0.38, 0.22)  ambient = 0.2  diffuse = 0.7 }
+sphere { center = (-1.6, -0.5, 1)  radius = 1  color = (0.9, 0.2, 0.1)  ambient = 0.2  diffuse = 0.7 }
+sphere { center = (1.4, 0.3, 0.8)  radius = 0.8  color = (0.3, 0.8, 0.6)  ambient = 0.2  diffuse = 0.7 }
+render { size = 320 x 240 })");
+    scene.conventions.offset = Offset::normal;
+    scene.conventions.epsilon = 0.001;
+    Scene other = scene;
+    other.conventions.shadow_stops_at_light = false;
+    const CauseReport report = find_causes(draw(other), draw(scene), &scene).value();
+    EXPECT_GT(report.difference, 0);
+    EXPECT_TRUE(report.causes.empty()) << all_causes(report);
+    EXPECT_TRUE(contains(report.remark, "these are on edges, where renderers differ")) << report.remark;
+}
+
 // The same scene without its objects: rows in which nothing is visible were written all the same.
 TEST(Agreement, RowsWithoutObjectsAreNotSurelyMissing) {
     const std::string ball = R"(
