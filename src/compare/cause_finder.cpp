@@ -325,9 +325,9 @@ void CauseFinder::name(Search& search) {
     judge_agreement(search);
 }
 
-// Pictures that differ by no more than rounding have no cause but truncation. A few pixels on edges have none:
-// shadow rays of correct programs begin in different places, which moves the borders of shadows. A few elsewhere
-// have none that is a guess from the pictures alone.
+// Pictures that differ by no more than rounding have no cause but truncation. A few pixels on edges have
+// none: shadow rays of correct programs begin in different places, which moves the borders of shadows. A few
+// elsewhere have none that is a guess from the pictures alone.
 void CauseFinder::judge_agreement(Search& search) const {
     CauseReport& report = search.report;
     const bool is_explained = !report.causes.empty() && !report.causes.front().perhaps;

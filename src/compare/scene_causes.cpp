@@ -11,6 +11,7 @@
 
 #include "compare/composed_causes.h"
 #include "compare/edges.h"
+#include "compare/item_texts.h"
 #include "compare/picture_causes.h"
 #include "compare/scene_faults.h"
 #include "world/prepare_camera.h"
@@ -42,13 +43,6 @@ void add_shifts(const char* name, fmt::string_view explanation, double pixels, b
         cause.only_pairs = only_pairs;
         causes.push_back(std::move(cause));
     }
-}
-
-// "light 2 (\"lamp\")": by its number among all lights.
-std::string light_text(const Scene& scene, std::uint32_t index) {
-    const std::string_view name = scene.light_texts.name(index);
-    return name.empty() ? fmt::format("light {}", index + 1)
-                        : fmt::format("light {} (\"{}\")", index + 1, name);
 }
 
 constexpr double k_same_factor = 0.01;  // of the factor
@@ -88,7 +82,7 @@ void add_single_lights(const Scene& scene, std::vector<SceneCause>& causes) {
     }
     if (!is_lit(scene) || lights.size() < 2 || lights.size() > k_max_single_lights) return;
     for (const std::uint32_t light : lights) {
-        const std::string text = light_text(scene, light);
+        const std::string text = item_text(scene, "light", light, scene.light_texts);
         causes.push_back({"light-missing",
                           fmt::format("The light of {} is missing: sum over all lights.{}", text,
                                       scene.lights[light].has_direction()
@@ -108,7 +102,7 @@ void add_single_lights(const Scene& scene, std::vector<SceneCause>& causes) {
                           fmt::format("Only {} is used: add up all lights (an assignment in the loop keeps "
                                       "the last one, a return in "
                                       "the loop the first).",
-                                      light_text(scene, lights[k])),
+                                      item_text(scene, "light", lights[k], scene.light_texts)),
                           [i = lights[k]](Scene& s) {
                               for (std::uint32_t other = 0; other < s.lights.size(); ++other) {
                                   if (other != i && !is_ambient(s.lights[other])) switch_off(s.lights[other]);

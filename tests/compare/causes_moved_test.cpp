@@ -27,7 +27,7 @@ const Moved k_moved[] = {
     {"color = \\(0.9, 0.2, 0.2\\)", "color = (0.3, 0.5, 0.2)", "material-color",
      "has the color (0.3, 0.5, 0.2), and in the reference (0.9, 0.2, 0.2)"},
     {"mirror = 0.4", "mirror = 0.5", "mirror-scaled", "1.25 times"},
-    {"intensity = 0.4", "intensity = 0.2", "light-scaled", "Light 3 is 0.5 times"},
+    {"intensity = 0.4", "intensity = 0.2", "light-scaled", "Light 3 (line 6) is 0.5 times"},
 };
 
 TEST(CausesMoved, AreFittedAndReportedWithObjectAndLine) {
