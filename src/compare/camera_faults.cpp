@@ -29,6 +29,17 @@ void put_tangent(Scene& s, double tangent) {
     scale_view(s, factor, factor);
 }
 
+// The rows of the plane of a picture whose y is divided by its width.
+void divide_y_by_width(Scene& s) {
+    const PreparedCamera camera = prepare_camera(s.camera, s.settings);
+    const double part = 1 / aspect(s);
+    s.camera.frame = {camera.right, camera.up * part, camera.forward + camera.up * (0.5 * (1 - part))};
+}
+void keep_up(Scene& s) {
+    const PreparedCamera camera = prepare_camera(s.camera, s.settings);
+    s.camera.frame = {camera.right, normalize(s.camera.up) * length(camera.up), camera.forward};
+}
+
 bool sees_highlights(const Scene& s) { return has_highlights(s) && !s.camera.lighting_eye; }
 
 void put_eye_at_origin(Scene& s) { s.camera.lighting_eye = Vec3{0, 0, 0}; }
@@ -54,6 +65,20 @@ constexpr SceneFault k_camera[] = {
      "The picture is stretched: the aspect ratio is inverted. It is width / height, and multiplies x."},
     {"aspect-inverted", is_wide_or_high, [](Scene& s) { scale_view(s, 1, aspect(s) * aspect(s)); },
      "The picture is stretched: the aspect ratio is inverted. It is width / height, and divides y."},
+    {"aspect-inverted", is_wide_or_high, divide_y_by_width,
+     "The y of a pixel is divided by the picture's width: divide it by the height."},
+    {"up-not-orthogonal", [](const Scene& s) { return !s.camera.frame; }, keep_up,
+     "The camera's up vector is used as it is: it must be at right angles to the view and to the right."},
+    {"pixel-step",
+     [](const Scene& s) {
+         return s.camera.projection == Projection::perspective && s.settings.width > 1 &&
+                s.settings.height > 1;
+     },
+     [](Scene& s) {
+         const double w = s.settings.width, h = s.settings.height;
+         scale_view(s, w / (w - 1), h / (h - 1));
+     },
+     "Pixels are too far apart: x is 2 (i + 0.5) / W - 1, not 2 i / (W - 1) - 1."},
     {"field-of-view-radians", has_angle,
      [](Scene& s) { put_tangent(s, tan_degrees(s.camera.fov_degrees / 2 * k_degrees_per_radian)); },
      "The tangent is of degrees taken as radians: multiply the field of view by pi / 180."},

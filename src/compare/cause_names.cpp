@@ -18,7 +18,7 @@ std::vector<std::string_view> collect() {
         "shadows-soft",  "camera-moved",       "camera-turned",      "field-of-view-scaled",
         "fog-color",     "light-moved",        "material-color",     "shape-missing",
         "shape-moved",   "shape-scaled",       "spot-turned",        "shadow-of-another-light",
-        "light-maximum", "tone-curve"};
+        "light-maximum", "tone-curve",         "mirrors-show-less",  "mirror-part-not-mixed"};
     for (const auto faults :
          {lighting_faults(), light_kind_faults(), tracing_faults(), medium_faults(), texture_faults(),
           camera_faults(), kernel_faults(), shape_faults(), mixed_up_faults()}) {

@@ -114,21 +114,99 @@ void add_shown_normals(const Scene& scene, std::vector<SceneCause>& causes) {
     causes.push_back(std::move(cause));
 }
 
+namespace {
+
+using Put = void (*)(Scene&);
+
+// Of mirrors: takes the factor 1 - a out of a part of the surface's own color.
+void keep_whole(Scene& s, Color Material::*part) {
+    for_each_material(s, [=](Material& m) {
+        if (m.mirror > 0 && m.mirror < 1) m.*part = m.*part * (1 / (1 - m.mirror));
+    });
+}
+// What is seen without the last mirror rays: surfaces where the recursion ends are not mixed.
+Scene without_last_level(Scene s) {
+    s.conventions.limit = LimitRule::drop;
+    if (--s.settings.reflections > 0) return s;
+    s.settings.reflections = 1;
+    for_each_material(s, [](Material& m) { m.mirror_tint = {0, 0, 0}; });
+    return s;
+}
+Scene without_reflected(Scene s) {
+    for_each_material(s, [](Material& m) { m.mirror_tint = {0, 0, 0}; });
+    return s;
+}
+
+}  // namespace
+
+// Of mirrors of which a part is right, the picture is a sum: right + faulty - what is in both.
+void add_faults_in_mirrors(const Scene& scene, std::vector<SceneCause>& causes) {
+    if (!has_mirrors(scene) || !is_lit(scene)) return;
+    const auto add = [&](const char* name, const char* explanation, Put put, bool in_mirrors) {
+        SceneCause cause{name, explanation, {}};
+        cause.compose = [=](const Scene& s, const RenderScene& render) -> std::optional<Image> {
+            Scene faulty = s;
+            put(faulty);
+            std::optional<Image> sum = render(in_mirrors ? without_reflected(s) : s);
+            const std::optional<Image> more = render(in_mirrors ? faulty : without_last_level(faulty)),
+                                       less = render(in_mirrors ? without_reflected(faulty)
+                                                                : without_last_level(s));
+            if (!sum || !more || !less) return std::nullopt;
+            for (std::size_t i = 0; i < sum->rgb.size(); ++i) sum->rgb[i] += more->rgb[i] - less->rgb[i];
+            return sum;
+        };
+        causes.push_back(std::move(cause));
+    };
+    const char *const own = "mirror-part-not-mixed", *const shown = "mirrors-show-less";
+    if (scene.conventions.mirror == MirrorRule::blend) {
+        add(
+            own, "Highlights of mirrors are not multiplied by 1 - a: they belong to the local color.",
+            [](Scene& s) { keep_whole(s, &Material::specular); }, false);
+        add(
+            own, "The ambient term of mirrors is not multiplied by 1 - a: it belongs to the local color.",
+            [](Scene& s) { keep_whole(s, &Material::ambient); }, false);
+    }
+    add(
+        shown, "What mirrors show has no shadows: light it as what the camera sees.",
+        [](Scene& s) { s.settings.shadows = false; }, true);
+    add(
+        shown, "What mirrors show has no highlights: light it as what the camera sees.",
+        [](Scene& s) { for_each_material(s, [](Material& m) {
+                           m.specular = m.phong = {0, 0, 0};
+                       }); }, true);
+    add(
+        shown,
+        "What mirrors show has no light, but its plain diffuse color: light it as what the camera sees.",
+        [](Scene& s) {
+            std::for_each(s.lights.begin(), s.lights.end(), switch_off);
+            for_each_material(s, [](Material& m) { m.emission = m.diffuse; });
+        },
+        true);
+}
+
 void add_tone_curves(std::vector<SceneCause>& causes) {
-    const auto add = [&](const char* explanation, double (*curve)(double)) {
+    // curve(channel, the largest channel of the pixel)
+    const auto add = [&](const char* explanation, double (*curve)(double, double)) {
         SceneCause cause{"tone-curve", explanation, {}};
         cause.compose = [curve](const Scene& s, const RenderScene& render) -> std::optional<Image> {
             std::optional<Image> made = render(s);
             if (!made) return std::nullopt;
-            for (float& v : made->rgb) v = static_cast<float>(curve(static_cast<double>(v)));
+            for (std::size_t i = 0; i < made->rgb.size(); i += 3) {
+                const auto most =
+                    static_cast<double>(std::max({made->rgb[i], made->rgb[i + 1], made->rgb[i + 2]}));
+                for (std::size_t c = i; c < i + 3; ++c)
+                    made->rgb[c] = static_cast<float>(curve(static_cast<double>(made->rgb[c]), most));
+            }
             return made;
         };
         causes.push_back(std::move(cause));
     };
     add("Colors go through a tone curve, c / (1 + c): the scene has none.",
-        [](double c) { return c / (1 + c); });
+        [](double c, double) { return c / (1 + c); });
     add("Colors go through a tone curve, 1 - exp(-c): the scene has none.",
-        [](double c) { return 1 - exp(-c); });
+        [](double c, double) { return 1 - exp(-c); });
+    add("Colors above 1 are divided by their largest channel, which keeps their hue: clamp each channel.",
+        [](double c, double most) { return c / std::max(most, 1.0); });
 }
 
 }  // namespace glint

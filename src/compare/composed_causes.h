@@ -13,6 +13,8 @@ void add_turned_cosines(const Scene& scene, std::vector<SceneCause>& causes);
 void add_raw_diffuse(const Scene& scene, std::vector<SceneCause>& causes);
 /// Surfaces show their normals, and the rest of the picture is right.
 void add_shown_normals(const Scene& scene, std::vector<SceneCause>& causes);
+/// What mirrors show lacks something that surfaces have.
+void add_faults_in_mirrors(const Scene& scene, std::vector<SceneCause>& causes);
 /// A tone curve of the whole picture; scenes have none.
 void add_tone_curves(std::vector<SceneCause>& causes);
 

@@ -140,6 +140,19 @@ PictureFault half_shifted() {
     };
 }
 
+PictureFault halved() {
+    return [](const PictureSource& s, BytePicture& made) -> Detail {
+        for (std::int32_t y = 0; y < made.height; ++y) {
+            for (std::int32_t x = 0; x < made.width; ++x) {
+                const std::uint8_t *is = s.faulty.pixel(x, y), *first = s.faulty.pixel(x & ~1, y & ~1);
+                if (!std::equal(is, is + 3, first)) return std::nullopt;
+            }
+        }
+        nearest_between(s.bytes, s.faulty, -1, 1, -1, 1, s.rows, s.fit.threads, made);
+        return "";
+    };
+}
+
 PictureFault anti_aliased() {
     return [](const PictureSource& s, BytePicture& made) -> Detail {
         const auto mixed = mixed_share(s.bytes, s.faulty, s.fit.rows, s.fit.threads);

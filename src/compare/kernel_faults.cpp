@@ -21,6 +21,10 @@ constexpr SceneFault k_kernel[] = {
      .applies = [](const Scene& s) { return is_normalized(s) && has_blinn(s); },
      .explanation = "H is not of unit length: normalise L + V before taking N.H.",
      .fault = TracerFault::half_not_unit},
+    {.name = "half-vector-not-normalized",
+     .applies = [](const Scene& s) { return is_normalized(s) && has_blinn(s); },
+     .explanation = "H is (L + V) / 2, which is not of unit length: normalise L + V before taking N.H.",
+     .fault = TracerFault::half_of_sum},
     {.name = "half-vector-wrong",
      .applies = has_blinn,
      .explanation = "H is the direction of L - V: it is that of L + V, where V goes from P to the eye.",
@@ -78,6 +82,26 @@ constexpr SceneFault k_kernel[] = {
      .applies = is_lit,
      .explanation = "The diffuse term has (N.L)^2: it is k_d (N.L).",
      .fault = TracerFault::diffuse_squared},
+    {.name = "half-lambert",
+     .applies = is_lit,
+     .explanation = "The diffuse term has (N.L + 1) / 2: it is k_d max(0, N.L).",
+     .fault = TracerFault::half_lambert},
+    {.name = "shadow-ray-short",
+     .applies = has_shadows,
+     .explanation =
+         "Only hits with t < 1 cast shadows: L is of unit length, so t goes to the distance of the "
+         "light.",
+     .fault = TracerFault::shadow_to_one},
+    {.name = "shadow-ray-negated",
+     .applies = has_shadows,
+     .put =
+         [](Scene& s) {
+             s.conventions.shadow_stops_at_light = false;
+             s.conventions.offset = Offset::ray;
+         },
+     .explanation = "Shadow rays go away from the light: their direction is L, from P to the light. "
+                    "(Or their hits with t < 0 count.)",
+     .fault = TracerFault::shadow_negated},
     {.name = "reflection-vector-negated",
      .applies = has_phong,
      .explanation = "R points the wrong way: it is 2 N (N.L) - L, where L points to the light.",

@@ -85,6 +85,11 @@ bool has_hue(const Material& m) {
     return !is_zero(m.specular) && (c.r != c.g || c.g != c.b);
 }
 
+// Where there are highlights, or everywhere.
+constexpr const char* k_specular_of_diffuse =
+    "Highlights have the surface's color: the specular term has the diffuse coefficient k_d in place of "
+    "k_s.";
+
 constexpr SceneFault k_lighting[] = {
     {"ambient-missing", [](const Scene& s) { return any_light(s, is_ambient); },
      [](Scene& s) {
@@ -158,6 +163,9 @@ constexpr SceneFault k_lighting[] = {
     {"light-color-ignored", has_colored_light,
      [](Scene& s) { make_lights_grey(s, [](const Color& c) { return c.r; }); },
      "The first channel of a light's color is used for all three: multiply each channel by the light's own."},
+    {"light-color-ignored", has_colored_light,
+     [](Scene& s) { for_each_light(s, [](Light& l) { l.color.b = l.color.g; }); },
+     "The diffuse term's blue is multiplied by the lights' green: multiply each channel by the light's own."},
     {"highlight-not-light-color", has_highlights,
      [](Scene& s) { for_each_light(s, [](Light& l) {
                         l.specular_color = {1, 1, 1};
@@ -177,8 +185,10 @@ constexpr SceneFault k_lighting[] = {
              if (!is_zero(m.specular)) m.specular = m.diffuse;
          });
      },
-     "Highlights have the surface's color: the specular term has the diffuse coefficient k_d in place of "
-     "k_s."},
+     k_specular_of_diffuse},
+    {"highlight-surface-color", [](const Scene& s) { return has_highlights(s) && any_material(s, has_hue); },
+     [](Scene& s) { for_each_material(s, [](Material& m) { m.specular = m.diffuse; }); },
+     k_specular_of_diffuse},
     {"highlight-not-surface-color", has_highlights,
      [](Scene& s) {
          for_each_material(s, [](Material& m) {
@@ -208,6 +218,10 @@ constexpr SceneFault k_lighting[] = {
      },
      [](Scene& s) { for_each_light(s, [](Light& l) { l.attenuation = {}; }); },
      "Light does not decrease with distance: divide by c0 + c1 d + c2 d^2."},
+    {"highlight-not-attenuated",
+     [](const Scene& s) { return has_highlights(s) && s.conventions.attenuate_highlights; },
+     [](Scene& s) { s.conventions.attenuate_highlights = false; },
+     "Highlights do not decrease with distance, nor with a spot's angle: multiply both terms."},
     {"flat-color", is_lit, [](Scene& s) { s.settings.shading = Shading::color; },
      "There is no lighting at all: surfaces show their plain color."},
     {"normals-shown", is_lit, [](Scene& s) { s.settings.shading = Shading::normals; },

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "compare/scene_faults.h"
+#include "math/srgb.h"
 
 namespace glint {
 namespace {
@@ -46,10 +47,11 @@ std::size_t count_lights(const Scene& s) {
 }
 bool has_two_lights(const Scene& s) { return is_lit(s) && count_lights(s) > 1; }
 
-void keep_highlights_of(Scene& s, std::size_t kept) {
+// Of one of those lights.
+void keep_term_of(Scene& s, std::size_t kept, Color Light::*term) {
     std::size_t number = 0;
     for_each_light(s, [&](Light& l) {
-        if (number++ != kept) l.specular_color = {0, 0, 0};
+        if (number++ != kept) l.*term = {0, 0, 0};
     });
 }
 
@@ -60,6 +62,29 @@ bool has_suns(const Scene& s) { return is_lit(s) && any_light(s, is_sun); }
 bool has_both(const Scene& s) {
     return has_shadows(s) && has_suns(s) &&
            any_light(s, [](const Light& l) { return l.has_position() && !is_off(l); });
+}
+
+void make_directional(Light& l, Vec3 to_light) {
+    l.kind = LightKind::directional;
+    l.to_light = to_light;
+    l.attenuation = {};
+}
+
+// Else a curve of their colors is a factor.
+bool has_unlike_channels(const Scene& s) {
+    std::vector<double> values;
+    for (const Light& l : s.lights) {
+        for (const double v : {l.color.r, l.color.g, l.color.b}) {
+            if (!is_ambient(l) && v > 0) values.push_back(v);
+        }
+    }
+    return is_lit(s) && !values.empty() &&
+           std::count(values.begin(), values.end(), values[0]) < std::ssize(values);
+}
+void change_lights(Scene& s, double (*change)(double)) {
+    for_each_light(s, [=](Light& l) {
+        for (Color* const c : {&l.color, &l.specular_color}) *c = {change(c->r), change(c->g), change(c->b)};
+    });
 }
 
 // Copies of the lights cast no shadows, and take over their light but for these parts of both terms.
@@ -134,6 +159,12 @@ constexpr SceneFault k_mixed_up[] = {
          });
      },
      "The reflected color is multiplied by k_s, not by the mirrors' own coefficient."},
+    {"mirror-coefficient", [](const Scene& s) { return has_mirrors(s) && has_highlights(s); },
+     [](Scene& s) {
+         for_each_material(
+             s, [highlights = Highlights(s)](Material& m) { m.mirror = std::min(highlights.of(m), 1.0); });
+     },
+     "All shapes are mirrors: the reflected color is multiplied by k_s, not by their own coefficient."},
     {"coefficients-exchanged", has_ambient,
      [](Scene& s) { for_each_material(s, [](Material& m) { m.ambient = m.diffuse; }); },
      "The ambient term is multiplied by k_d, not by k_a."},
@@ -143,6 +174,9 @@ constexpr SceneFault k_mixed_up[] = {
     {"diffuse-without-color", is_lit,
      [](Scene& s) { for_each_material(s, [](Material& m) { m.diffuse = grey(diffuse_of(m)); }); },
      "The diffuse term is not multiplied by the surface's color."},
+    {"diffuse-without-color", is_lit,
+     [](Scene& s) { for_each_material(s, [](Material& m) { m.diffuse = grey(largest(m.diffuse)); }); },
+     "The diffuse term has the largest channel of the surface's color in all three."},
     {"ambient-without-material", has_ambient,
      [](Scene& s) { for_each_material(s, [](Material& m) {
                         m.ambient = {1, 1, 1};
@@ -152,11 +186,35 @@ constexpr SceneFault k_mixed_up[] = {
      [](Scene& s) { for_each_material(s, [](Material& m) { m.ambient = m.color; }); },
      "Ambient light is multiplied by the surface's color, but not by k_a."},
     {"highlight-of-one-light", [](const Scene& s) { return has_highlights(s) && has_two_lights(s); },
-     [](Scene& s) { keep_highlights_of(s, 0); },
+     [](Scene& s) { keep_term_of(s, 0, &Light::specular_color); },
      "Only the first light has highlights: add the specular term for every light."},
     {"highlight-of-one-light", [](const Scene& s) { return has_highlights(s) && has_two_lights(s); },
-     [](Scene& s) { keep_highlights_of(s, count_lights(s) - 1); },
+     [](Scene& s) { keep_term_of(s, count_lights(s) - 1, &Light::specular_color); },
      "Only the last light has highlights: add the specular term for every light."},
+    {"diffuse-of-one-light", has_two_lights, [](Scene& s) { keep_term_of(s, 0, &Light::color); },
+     "Only the first light has a diffuse term: add it for every light."},
+    {"light-color-twice", has_unlike_channels,
+     [](Scene& s) { change_lights(s, [](double v) { return v * v; }); },
+     "Lights are multiplied by their color or their intensity twice: once is enough."},
+    {"color-decoded", has_unlike_channels, [](Scene& s) { change_lights(s, decode_power); },
+     "The colors of lights are decoded, by the power 2.2: use them as they are."},
+    {"color-decoded", has_unlike_channels, [](Scene& s) { change_lights(s, srgb_decode); },
+     "The colors of lights are decoded, by the sRGB curve: use them as they are."},
+    {"light-axes-exchanged", is_lit,
+     [](Scene& s) {
+         for_each_light(s, [](Light& l) {
+             std::swap(l.position.y, l.position.z);
+             std::swap(l.to_light.y, l.to_light.z);
+         });
+     },
+     "y and z of the lights' positions and directions are exchanged."},
+    {"light-vector", has_points,
+     [](Scene& s) {
+         for_each_light(s, [eye = s.camera.position](Light& l) {
+             if (is_point(l)) make_directional(l, l.position - eye);
+         });
+     },
+     "L goes from the eye to the light: it goes from the point P."},
     {"light-of-another", has_two_lights,
      [](Scene& s) {
          const Light* first = nullptr;
@@ -170,10 +228,7 @@ constexpr SceneFault k_mixed_up[] = {
     {"light-vector", has_points,
      [](Scene& s) {
          for_each_light(s, [](Light& l) {
-             if (!is_point(l)) return;
-             l.kind = LightKind::directional;
-             l.to_light = l.position;
-             l.attenuation = {};
+             if (is_point(l)) make_directional(l, l.position);
          });
      },
      "L is the position of a light: subtract P, as L goes from the point to the light."},

@@ -136,6 +136,21 @@ bool is_grey(const BytePicture& picture) {
 
 }  // namespace
 
+PictureFault repeated() {
+    return [](const PictureSource& s, BytePicture& made) -> Detail {
+        if (s.background == nullptr) return std::nullopt;
+        for (const std::int32_t y : s.rows) {
+            for (std::int32_t x = 0; x < made.width; ++x) {
+                const std::uint8_t* from = s.bytes.pixel(x, y);
+                std::uint8_t* const to = made.pixel(x, y);
+                if (may_be_background(s, x, y) && to != made.rgb.data()) from = to - 3;
+                std::copy_n(from, 3, to);
+            }
+        }
+        return "";
+    };
+}
+
 PictureFault dark_specks() {
     return [](const PictureSource& s, BytePicture& made) -> Detail {
         const auto rows = differing_lines(s.bytes, s.faulty, Lines::rows),

@@ -41,6 +41,10 @@ PictureFault transposed_back();
 PictureFault shifted();
 PictureFault half_shifted();
 PictureFault anti_aliased();
+/// Blocks of 2 x 2 pixels have one color. Only if all of the picture to explain has.
+PictureFault halved();
+/// What is not of a shape has the color of the pixel before it.
+PictureFault repeated();
 /// Except in whole rows or columns that differ.
 PictureFault dark_specks();
 /// Rows or columns that were never written. regular: MissingLines::is_regular.

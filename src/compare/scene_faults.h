@@ -6,6 +6,7 @@
 #include <string>
 
 #include "glint/scene.h"
+#include "math/elementary.h"
 #include "world/tracer_fault.h"
 
 namespace glint {
@@ -52,6 +53,9 @@ template <class Test> bool any_light(const Scene& s, Test&& test) {
 template <class Test> bool any_material(const Scene& s, Test&& test) {
     return std::any_of(s.materials.begin(), s.materials.end(), test);
 }
+
+/// A gamma of 2.2 is removed from a channel.
+inline double decode_power(double v) { return pow(v, 2.2); }
 
 inline bool is_lit(const Scene& s) {
     return any_light(s, [](const Light& l) { return !is_ambient(l); }) &&

@@ -9,6 +9,47 @@ namespace glint {
 namespace {
 
 constexpr std::size_t k_max_shadow_lights = 4;  // each is rendered alone
+constexpr int k_max_levels_of_shadows = 4;      // of reflection, each by itself, too
+
+using Compose = decltype(SceneCause::compose);
+
+// Composes what is seen directly, and then what each mirror ray adds: of one ray, it is known what is in
+// shadow.
+Compose by_levels(Compose compose) {
+    return [compose = std::move(compose)](const Scene& s, const RenderScene& render) -> std::optional<Image> {
+        if (!has_mirrors(s)) return compose(s, render);
+        const int last = s.settings.reflections;
+        std::optional<Image> sum;
+        std::vector<Image> so_far;  // up to the level before, by the number of the picture
+        for (int level = 0; level <= last; ++level) {
+            std::size_t number = 0;
+            const auto render_level = [&](Scene scene) {
+                if (level < last) scene.conventions.limit = LimitRule::drop;
+                scene.settings.reflections = std::max(level, 1);
+                if (level == 0) for_each_material(scene, [](Material& m) { m.mirror_tint = {0, 0, 0}; });
+                std::optional<Image> made = render(scene);
+                if (!made) return made;
+                if (level == 0) {
+                    so_far.push_back(*made);
+                    return made;
+                }
+                Image& before = so_far[number++];
+                const Image all = *made;
+                for (std::size_t i = 0; i < all.rgb.size(); ++i) made->rgb[i] -= before.rgb[i];
+                before = all;
+                return made;
+            };
+            const std::optional<Image> part = compose(s, render_level);
+            if (!part) return std::nullopt;
+            if (!sum) {
+                sum = part;
+                continue;
+            }
+            for (std::size_t i = 0; i < part->rgb.size(); ++i) sum->rgb[i] += part->rgb[i];
+        }
+        return sum;
+    };
+}
 
 void keep_only(Scene& scene, std::size_t light) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
@@ -20,6 +61,7 @@ void keep_only(Scene& scene, std::size_t light) {
 // not reach.
 std::optional<Image> light_of(Scene scene, std::size_t light, const RenderScene& render) {
     keep_only(scene, light);
+    if (scene.lights[light].is_spot()) scene.lights[light].kind = LightKind::point;  // its cone is no shadow
     scene.lights[light].color = {1, 1, 1};
     for_each_material(scene, [](Material& m) {
         m.diffuse = {1, 1, 1};
@@ -34,7 +76,9 @@ std::optional<Image> light_of(Scene scene, std::size_t light, const RenderScene&
 // The lights whose shadows can be told from the picture; none if there are too many.
 std::vector<std::size_t> shadow_lights(const Scene& scene) {
     std::vector<std::size_t> lights;
-    if (!has_shadows(scene) || has_mirrors(scene) || has_glass(scene)) return lights;
+    if (!has_shadows(scene) || (has_mirrors(scene) && scene.settings.reflections > k_max_levels_of_shadows) ||
+        has_glass(scene))
+        return lights;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         if (!is_ambient(scene.lights[i]) && !is_off(scene.lights[i])) lights.push_back(i);
     }
@@ -42,8 +86,9 @@ std::vector<std::size_t> shadow_lights(const Scene& scene) {
     return lights;
 }
 
-// Where light does not reach: nothing is left at all, or what lights add that do reach.
-enum class Dark : std::uint8_t { black, without_ambient };
+// Where light does not reach: nothing is left at all; or what lights add that do reach; or that and half of
+// the ambient term for each that does not.
+enum class Dark : std::uint8_t { black, without_ambient, half_ambient };
 
 }  // namespace
 
@@ -52,14 +97,17 @@ void add_black_shadows(const Scene& scene, std::vector<SceneCause>& causes) {
     if (lights.empty() || !any_light(scene, is_ambient)) return;
     const auto add = [&](const char* explanation, bool all, Dark dark_is) {
         SceneCause cause{"shadow-black", explanation, {}};
-        cause.compose = [=](const Scene& s, const RenderScene& render) -> std::optional<Image> {
+        cause.compose = by_levels([=](const Scene& s, const RenderScene& render) -> std::optional<Image> {
             std::optional<Image> made = render(s);
-            const std::optional<Image> surfaces = surfaces_of(s, render);
             Scene no_ambient = s;
-            std::erase_if(no_ambient.lights, is_ambient);
-            std::optional<Image> left;
-            if (dark_is == Dark::without_ambient) left = render(no_ambient);
-            if (!made || !surfaces || (dark_is == Dark::without_ambient && !left)) return std::nullopt;
+            for_each_light(no_ambient, [&](Light& l) {
+                if (dark_is == Dark::black) switch_off(l);
+            });
+            for (Light& l : no_ambient.lights) {
+                if (is_ambient(l)) switch_off(l);
+            }
+            const std::optional<Image> left = render(no_ambient);
+            if (!made || !left) return std::nullopt;
             std::vector<std::size_t> dark(made->rgb.size());
             for (const std::size_t light : lights) {
                 const std::optional<Image> lit = light_of(s, light, render);
@@ -67,15 +115,19 @@ void add_black_shadows(const Scene& scene, std::vector<SceneCause>& causes) {
                 for (std::size_t i = 0; i < dark.size(); ++i) dark[i] += lit->rgb[i] == 0;
             }
             for (std::size_t i = 0; i < dark.size(); ++i) {
-                const bool is_black = dark[i] >= (all ? lights.size() : 1);
-                if (is_black && surfaces->rgb[i] > 0) made->rgb[i] = left ? left->rgb[i] : 0;
+                if (dark[i] < (all ? lights.size() : 1)) continue;
+                float kept = 0;  // of the ambient term
+                if (dark_is == Dark::half_ambient) kept = 1 / static_cast<float>(std::size_t{1} << dark[i]);
+                made->rgb[i] = left->rgb[i] + kept * (made->rgb[i] - left->rgb[i]);
             }
             return made;
-        };
+        });
         causes.push_back(std::move(cause));
     };
     add("Shadows are black: a light that does not reach a point adds nothing, and the ambient term stays.",
         true, Dark::black);
+    add("The ambient term is halved in the shadow of each light: it does not depend on lights.", false,
+        Dark::half_ambient);
     if (lights.size() < 2) return;
     add("Points are black if any light is in shadow: go on with the next light there, do not return "
         "black.",
@@ -108,7 +160,7 @@ void add_greatest_light(const Scene& scene, std::vector<SceneCause>& causes) {
     SceneCause cause{"light-maximum",
                      "The greatest of the lights' colors is taken, not their sum: add up all lights.",
                      {}};
-    cause.compose = [lights](const Scene& s, const RenderScene& render) -> std::optional<Image> {
+    cause.compose = by_levels([lights](const Scene& s, const RenderScene& render) -> std::optional<Image> {
         Scene unlit = s;
         for_each_light(unlit, switch_off);
         std::optional<Image> sum = render(unlit);
@@ -121,7 +173,7 @@ void add_greatest_light(const Scene& scene, std::vector<SceneCause>& causes) {
         }
         for (std::size_t i = 0; i < most.size(); ++i) sum->rgb[i] += most[i];
         return sum;
-    };
+    });
     causes.push_back(std::move(cause));
 }
 
@@ -130,34 +182,35 @@ void add_shadows_of_other_lights(const Scene& scene, std::vector<SceneCause>& ca
     if (lights.size() < 2) return;
     const auto add = [&](const char* explanation, ShadowState state) {
         SceneCause cause{"shadow-of-another-light", explanation, {}};
-        cause.compose = [lights, state](const Scene& s, const RenderScene& render) -> std::optional<Image> {
-            Scene unlit = s;
-            for_each_light(unlit, switch_off);
-            std::optional<Image> sum = render(unlit);
-            std::vector<std::uint8_t> reached;  // by the lights that have been rendered
-            const auto look = [&](std::size_t light) {
-                const std::optional<Image> found = light_of(s, light, render);
-                if (!found) return false;
-                reached.resize(found->rgb.size(), 1);
-                for (std::size_t i = 0; i < reached.size(); ++i) {
-                    if (found->rgb[i] == 0) reached[i] = 0;
+        cause.compose =
+            by_levels([lights, state](const Scene& s, const RenderScene& render) -> std::optional<Image> {
+                Scene unlit = s;
+                for_each_light(unlit, switch_off);
+                std::optional<Image> sum = render(unlit);
+                std::vector<std::uint8_t> reached;  // by the lights that have been rendered
+                const auto look = [&](std::size_t light) {
+                    const std::optional<Image> found = light_of(s, light, render);
+                    if (!found) return false;
+                    reached.resize(found->rgb.size(), 1);
+                    for (std::size_t i = 0; i < reached.size(); ++i) {
+                        if (found->rgb[i] == 0) reached[i] = 0;
+                    }
+                    return true;
+                };
+                if (state == ShadowState::any && !std::all_of(lights.begin(), lights.end(), look))
+                    return std::nullopt;
+                for (const std::size_t light : lights) {
+                    const bool looks = state == ShadowState::so_far ||
+                                       (state == ShadowState::first && light == lights.front());
+                    if (looks && !look(light)) return std::nullopt;
+                    const std::optional<Image> own = terms_of(s, light, false, render);
+                    if (!sum || !own) return std::nullopt;
+                    for (std::size_t i = 0; i < reached.size(); ++i) {
+                        if (reached[i] != 0) sum->rgb[i] += own->rgb[i];
+                    }
                 }
-                return true;
-            };
-            if (state == ShadowState::any && !std::all_of(lights.begin(), lights.end(), look))
-                return std::nullopt;
-            for (const std::size_t light : lights) {
-                const bool looks =
-                    state == ShadowState::so_far || (state == ShadowState::first && light == lights.front());
-                if (looks && !look(light)) return std::nullopt;
-                const std::optional<Image> own = terms_of(s, light, false, render);
-                if (!sum || !own) return std::nullopt;
-                for (std::size_t i = 0; i < reached.size(); ++i) {
-                    if (reached[i] != 0) sum->rgb[i] += own->rgb[i];
-                }
-            }
-            return sum;
-        };
+                return sum;
+            });
         causes.push_back(std::move(cause));
     };
     add("A light whose shadow ray is blocked ends the light of the lights after it, too: go on with the next "

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "compare/scene_faults.h"
+#include "math/srgb.h"
 
 namespace glint {
 namespace {
@@ -32,16 +33,61 @@ Color with_color(const Color& coefficient, const Color& was, const Color& now) {
     return {divided(coefficient.r, was.r, now.r), divided(coefficient.g, was.g, now.g),
             divided(coefficient.b, was.b, now.b)};
 }
-void divide_as_integers(Material& m) {
-    const Color was = m.color, now = whole(m.color);
+void change_color(Material& m, const Color& now) {
+    const Color was = m.color;
     m.ambient = with_color(m.ambient, was, now);
     m.diffuse = with_color(m.diffuse, was, now);
     m.color = now;
 }
 
-bool has_plain_lights(const Scene& s) {
-    return is_lit(s) && any_light(s, [](const Light& l) { return !is_ambient(l) && l.has_position(); }) &&
-           !any_light(s, [](const Light& l) { return !(l.attenuation == Attenuation{}); });
+void divide_as_integers(Material& m) { change_color(m, whole(m.color)); }
+void decode_materials(Scene& s, double (*decode)(double)) {
+    for_each_material(s, [=](Material& m) {
+        change_color(m, {decode(m.color.r), decode(m.color.g), decode(m.color.b)});
+    });
+}
+bool has_part_of_color(const Scene& s) {
+    return any_material(s, [](const Material& m) { return has_part(m.color); });
+}
+
+// Triangles with corner p and sides e1 and e2 as parallelograms with the sides e1 and `factor` e2.
+void fill_triangles(Scene& s, double factor) {
+    const std::size_t count = s.shapes.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Shape shape = s.shapes[i];
+        if (shape.kind != ShapeKind::triangle) continue;
+        Vec3(&v)[3] = s.get<Triangle>()[shape.index].vertices;
+        const Vec3 side = (v[2] - v[0]) * factor;
+        const Triangle other{{v[0], v[1] + side, v[0] + side}};
+        v[2] = v[1] + side;
+        s.add(other, shape.material, shape.transform);
+    }
+}
+
+// Of spheres of one size, that is a factor, as of a diameter.
+void change_radii(Scene& s, double (*change)(double)) {
+    std::vector<Sphere>& spheres = s.get<Sphere>();
+    const auto has_other = [&](const Sphere& sphere) { return sphere.radius != spheres[0].radius; };
+    if (std::none_of(spheres.begin(), spheres.end(), has_other)) return;
+    for (Sphere& sphere : spheres) sphere.radius = change(sphere.radius);
+}
+
+// Of each material a second one follows, which casts no shadow.
+void add_shadowless(Scene& s) {
+    const std::size_t count = s.materials.size();
+    s.materials.resize(2 * count);
+    for (std::size_t i = 0; i < count; ++i) {
+        s.materials[count + i] = s.materials[i];
+        s.materials[count + i].casts_shadow = false;
+    }
+}
+void give_shadowless(Scene& s, std::size_t shape) {
+    s.shapes[shape].material += static_cast<std::uint32_t>(s.materials.size());
+    add_shadowless(s);
+}
+
+bool has_lamps(const Scene& s) {
+    return is_lit(s) && any_light(s, [](const Light& l) { return !is_ambient(l) && l.has_position(); });
 }
 void attenuate(Scene& s, const Attenuation& attenuation) {
     for_each_light(s, [&](Light& l) {
@@ -102,35 +148,62 @@ constexpr SceneFault k_shapes[] = {
      .explanation = "The caps of cylinders and cones are missing, and their inner sides are dark: test the "
                     "discs at their ends, too.",
      .reshape = remove_caps},
-    {"colors-truncated",
-     [](const Scene& s) { return any_material(s, [](const Material& m) { return has_part(m.color); }); },
+    {.name = "triangle-as-parallelogram",
+     .applies = always,
+     .explanation = "Triangles are parallelograms: a point is inside if u and v are not negative and u + v "
+                    "is not above 1.",
+     .reshape = [](Scene& s) { fill_triangles(s, 1); }},
+    {.name = "triangle-as-parallelogram",
+     .applies = always,
+     .explanation = "Triangles have no third side: a point is inside if u and v are not negative and u + v "
+                    "is not above 1.",
+     .reshape = [](Scene& s) { fill_triangles(s, k_unbounded); }},
+    {.name = "radius-squared",
+     .applies = always,
+     .explanation = "Spheres have the radius sqrt(r): c is (O - C).(O - C) - r^2, not - r.",
+     .reshape = [](Scene& s) { change_radii(s, [](double r) { return std::sqrt(r); }); }},
+    {.name = "radius-squared",
+     .applies = always,
+     .explanation = "Spheres have the radius r^2: c is (O - C).(O - C) - r^2.",
+     .reshape = [](Scene& s) { change_radii(s, [](double r) { return r * r; }); }},
+    {.name = "shadow-of-shape-missing",
+     .applies = has_shadows,
+     .put = add_shadowless,
+     .explanation = "The last shape casts no shadow: test all shapes with shadow rays, too.",
+     .reshape = [](Scene& s) { give_shadowless(s, s.shapes.size() - 1); }},
+    {.name = "shadow-of-shape-missing",
+     .applies = has_shadows,
+     .put = add_shadowless,
+     .explanation = "The first shape casts no shadow: test all shapes with shadow rays, too.",
+     .reshape = [](Scene& s) { give_shadowless(s, 0); }},
+    {"color-decoded", has_part_of_color, [](Scene& s) { decode_materials(s, decode_power); },
+     "The colors of materials are decoded, by the power 2.2: use them as they are."},
+    {"color-decoded", has_part_of_color, [](Scene& s) { decode_materials(s, srgb_decode); },
+     "The colors of materials are decoded, by the sRGB curve: use them as they are."},
+    {"colors-truncated", has_part_of_color,
      [](Scene& s) {
          for_each_material(s, divide_as_integers);
          s.background = whole(s.background);
      },
      "Colors are divided as integers, so that each channel is 0 or 1: divide by 255.0."},
-    {"colors-truncated",
-     [](const Scene& s) {
-         return has_part(s.background) &&
-                any_material(s, [](const Material& m) { return has_part(m.color); });
-     },
+    {"colors-truncated", [](const Scene& s) { return has_part(s.background) && has_part_of_color(s); },
      [](Scene& s) { for_each_material(s, divide_as_integers); },
      "Colors of materials are divided as integers, so that each channel is 0 or 1: divide by 255.0."},
-    {"attenuation-added", has_plain_lights,
+    {"attenuation-added", has_lamps,
      [](Scene& s) {
          attenuate(s, {0, 1, 0});
      },
-     "Light is divided by the distance, and in the reference it is not."},
-    {"attenuation-added", has_plain_lights,
+     "Light is divided by the distance, and not as in the reference."},
+    {"attenuation-added", has_lamps,
      [](Scene& s) {
          attenuate(s, {0, 0, 1});
      },
-     "Light is divided by the square of the distance, and in the reference it is not."},
-    {"attenuation-added", has_plain_lights,
+     "Light is divided by the square of the distance, and not as in the reference."},
+    {"attenuation-added", has_lamps,
      [](Scene& s) {
          attenuate(s, {1, 1, 0});
      },
-     "Light is divided by 1 + the distance, and in the reference it is not."},
+     "Light is divided by 1 + the distance, and not as in the reference."},
 };
 
 }  // namespace

@@ -11,6 +11,7 @@ namespace glint {
 namespace {
 
 constexpr int k_usual_reflections = 4;
+constexpr double k_large_epsilon = 0.5;
 
 void scale_mirrors(Scene& s, double factor) {
     for_each_material(s, [=](Material& m) { m.mirror = std::min(m.mirror * factor, 1.0); });
@@ -18,6 +19,10 @@ void scale_mirrors(Scene& s, double factor) {
 std::string mirror_text(double factor, bool about) {
     return fmt::format("The mirrors' coefficient is {} what it should be: {} is reflected.",
                        factor_text(factor, about), factor < 1 ? "too little" : "too much");
+}
+
+bool has_blended_mirrors(const Scene& s) {
+    return has_mirrors(s) && s.conventions.mirror == MirrorRule::blend;
 }
 
 constexpr SceneFault k_tracing[] = {
@@ -33,6 +38,17 @@ constexpr SceneFault k_tracing[] = {
      "Dark specks on lit surfaces (acne): a shadow ray, or a mirror ray, hits the surface that it starts "
      "from. "
      "Move its origin off the surface, or ignore hits with t below a small epsilon."},
+    {.name = "epsilon-too-large",
+     .applies = has_shadows,
+     .put = [](Scene& s) { s.conventions.offset = Offset::direction; },
+     .scale = [](Scene& s, double factor) { s.conventions.epsilon = k_large_epsilon * factor; },
+     .scale_text =
+         [](double factor, bool) {
+             return fmt::format(
+                 "Shadows do not begin where shapes touch: hits of shadow rays with t below about {:.2g} do "
+                 "not count. Use a much smaller epsilon.",
+                 k_large_epsilon * factor);
+         }},
     {"shadow-past-light", has_shadows, [](Scene& s) { s.conventions.shadow_stops_at_light = false; },
      "Objects behind a light cast a shadow, too: a shadow ray to a point light ends at the light, so only "
      "hits before it (t < distance) count."},
@@ -89,8 +105,24 @@ constexpr SceneFault k_tracing[] = {
     {"mirror-surface-color", has_mirrors,
      [](Scene& s) { for_each_material(s, [](Material& m) { m.mirror_tint = m.mirror_tint * m.diffuse; }); },
      "What mirrors show is multiplied by k_d, too: multiply the reflected color by the coefficient alone."},
-    {"mirror-weights-exchanged",
-     [](const Scene& s) { return has_mirrors(s) && s.conventions.mirror == MirrorRule::blend; },
+    {"mirror-not-multiplied", has_blended_mirrors,
+     [](Scene& s) {
+         for_each_material(s, [](Material& m) {
+             if (m.mirror > 0) m.mirror_tint = m.mirror_tint * (1 / m.mirror);
+         });
+     },
+     "The reflected color is added as it is to (1 - a) local: multiply it by a."},
+    {"mirror-fresnel", has_mirrors,
+     [](Scene& s) {
+         for_each_material(s, [](Material& m) {
+             if (m.mirror <= 0 || m.has_angled_mirror()) return;
+             m.mirror_min = m.mirror;
+             m.mirror = 1;
+             m.mirror_falloff = 5;
+         });
+     },
+     "Mirrors reflect more at grazing angles, by Schlick's formula, and in the reference everywhere alike."},
+    {"mirror-weights-exchanged", has_blended_mirrors,
      [](Scene& s) {
          for_each_material(s, [](Material& m) {
              if (m.mirror > 0) m.mirror = 1 - m.mirror;

@@ -10,6 +10,10 @@ enum class TracerFault : std::uint8_t {
     light_not_unit,            ///< L has the length of the distance
     half_not_unit,             ///< H = L + V
     half_of_difference,        ///< H is the direction of L - V
+    half_of_sum,               ///< H = (L + V) / 2
+    half_lambert,              ///< (N.L + 1) / 2 in the diffuse term
+    shadow_negated,            ///< shadow rays, which have no end then, go away from the light
+    shadow_to_one,             ///< shapes further away than 1 cast no shadow
     normal_not_unit,           ///< a sphere's N is P - C
     normal_not_unit_anywhere,  ///< the same, and in mirror rays
     normals_reversed,          ///< -N in place of N, for the lighting only

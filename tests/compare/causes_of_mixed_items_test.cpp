@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "compare/planted_faults.h"
+#include "math/transform.h"
 
 namespace glint::test {
 namespace {
@@ -43,8 +44,8 @@ std::string colored_table(bool mirrors) {
     return "background = (0.7, 0.7, 0.65)\n"
            "camera { position = (0, 1.5, 8)  look_at = (0, 1, 0)  fov_x = 40 }\n"
            "light { type = ambient  intensity = 1 }\n"
-           "light { type = directional  to_light = (-1, 1.5, 1)  color = (0.5, 0.4, 0.4) }\n"
-           "light { type = point  position = (4, 5, 4)  color = (0.3, 0.5, 0.5) }\n"
+           "light { type = directional  to_light = (-1, 1.5, 1)  color = (0.5, 0.4, 0.3) }\n"
+           "light { type = point  position = (4, 5, 4)  color = (0.3, 0.5, 0.4) }\n"
            "material green { color = (0.2, 0.7, 0.3)  ambient = 0.1  diffuse = 0.9  specular_color = (0.3, "
            "0.3, 0.3)  shininess = 12" +
            mirror +
@@ -140,6 +141,41 @@ const std::vector<MixedUp>& mixed_up() {
          [](Scene& s) {
              for (std::size_t i = 1; i + 1 < s.lights.size(); ++i) s.lights[i].specular_color = {0, 0, 0};
          }},
+        {"diffuse-of-one-light", "the first light",
+         [](Scene& s) {
+             for (std::size_t i = 2; i < s.lights.size(); ++i) s.lights[i].color = {0, 0, 0};
+         }},
+        {"diffuse-without-color", "the largest channel", of_materials([](const Scene&, Material& m) {
+             const double most = std::max({m.diffuse.r, m.diffuse.g, m.diffuse.b});
+             m.diffuse = {most, most, most};
+         })},
+        {"light-color-twice", "twice", of_lights([](Light& l) {
+             l.color = l.color * l.color;
+             l.specular_color = l.specular_color * l.specular_color;
+         })},
+        {"light-color-ignored", "the lights' green", of_lights([](Light& l) { l.color.b = l.color.g; })},
+        {"color-decoded", "of lights", of_lights([](Light& l) {
+             for (Color* c : {&l.color, &l.specular_color})
+                 *c = {std::pow(c->r, 2.2), std::pow(c->g, 2.2), std::pow(c->b, 2.2)};
+         })},
+        {"color-decoded", "of materials", of_materials([](const Scene&, Material& m) {
+             const Color by{std::pow(m.color.r, 1.2), std::pow(m.color.g, 1.2), std::pow(m.color.b, 1.2)};
+             m.ambient = m.ambient * by;
+             m.diffuse = m.diffuse * by;
+         })},
+        {"light-axes-exchanged", "y and z", of_lights([](Light& l) {
+             l.position = {l.position.x, l.position.z, l.position.y};
+             l.to_light = {l.to_light.x, l.to_light.z, l.to_light.y};
+         })},
+        {"up-not-orthogonal", "up vector",
+         [](Scene& s) {
+             const Vec3 forward = normalize(s.camera.look_at - s.camera.position),
+                        right = normalize(cross(forward, {0, 1, 0}));
+             const double width = 2 * std::tan(s.camera.fov_degrees / 2 * 3.14159265358979323846 / 180);
+             s.camera.frame = {right * width, Vec3{0, 1, 0} * (width * 0.75), forward};
+         }},
+        {"mirror-coefficient", "All shapes are mirrors",
+         of_materials([](const Scene& s, Material& m) { m.mirror = k_s(s, m); }), true},
         {"light-of-another", "of the first",
          [](Scene& s) {
              for (std::size_t i = 2; i < s.lights.size(); ++i)
@@ -273,6 +309,14 @@ TEST(CausesOfMixedItems, ToneCurvesAndTheGreatestLightAreNamed) {
             return first_cause(*find_causes(as_file(std::move(picture)), right, &scene));
         };
         Image curved = draw(scene), saturated = curved;
+        Scene bright = scene;
+        for (Light& light : bright.lights) light.color = light.color * 3;
+        Image of_hue = draw(bright);
+        for (std::size_t i = 0; i < of_hue.rgb.size(); i += 3) {
+            const float most = std::max({of_hue.rgb[i], of_hue.rgb[i + 1], of_hue.rgb[i + 2], 1.0f});
+            for (std::size_t c = i; c < i + 3; ++c) of_hue.rgb[c] /= most;
+        }
+        EXPECT_EQ(first_cause(*find_causes(as_file(of_hue), as_file(draw(bright)), &bright)), "tone-curve");
         for (float& v : curved.rgb) v /= 1 + v;
         for (float& v : saturated.rgb) v = 1 - std::exp(-v);
         EXPECT_EQ(first_of(curved), "tone-curve");
@@ -294,6 +338,35 @@ TEST(CausesOfMixedItems, ToneCurvesAndTheGreatestLightAreNamed) {
     }
 }
 
+TEST(CausesOfMixedItems, CopiedAndRepeatedPixelsAreNamed) {
+    for (const auto& make : {colored_room, colored_table}) {
+        Scene scene = read_scene(make(false));
+        scene.shapes.pop_back();  // the floor: the background is seen below, too
+        const Image right = as_file(draw(scene));
+        const auto first_of = [&](const Image& picture) {
+            const CauseReport report = *find_causes(as_file(picture), right, &scene);
+            return report.causes.empty() ? "none" : report.causes[0].explanation;
+        };
+        Image copied = draw(scene), repeated = copied, halved = copied;
+        for (std::size_t i = 0; i < copied.rgb.size(); i += 3) copied.rgb[i + 2] = copied.rgb[i + 1];
+        EXPECT_NE(first_of(copied).find("copy of green"), std::string::npos);
+        for (std::size_t i = 3; i < repeated.rgb.size(); i += 3) {
+            if (std::equal(&right.rgb[i], &right.rgb[i] + 3, right.rgb.data()))
+                std::copy_n(&repeated.rgb[i - 3], 3, &repeated.rgb[i]);
+        }
+        EXPECT_NE(first_of(repeated).find("the pixel before it"), std::string::npos) << first_of(repeated);
+        for (int y = 0; y < halved.height; ++y) {
+            for (int x = 0; x < halved.width; ++x) {
+                const auto at = [&](int u, int v) {
+                    return static_cast<std::size_t>(3) * (static_cast<std::size_t>(v) * halved.width + u);
+                };
+                std::copy_n(&halved.rgb[at(x - x % 2, y - y % 2)], 3, &halved.rgb[at(x, y)]);
+            }
+        }
+        EXPECT_NE(first_of(halved).find("2 x 2"), std::string::npos) << first_of(halved);
+    }
+}
+
 // Near misses: another material than the first and the last, a third of the light in shadow.
 TEST(CausesOfMixedItems, AreNotSureWhereTheyAreNot) {
     for (const auto& make : {colored_room, colored_table}) {
@@ -301,8 +374,13 @@ TEST(CausesOfMixedItems, AreNotSureWhereTheyAreNot) {
         const Image right = as_file(draw(scene));
         Scene middle = scene;
         for (Shape& shape : middle.shapes) shape.material = 1;
+        Scene brighter = scene;  // to the power 1.5
+        for (Light& light : brighter.lights) {
+            for (Color* c : {&light.color, &light.specular_color})
+                *c = {std::pow(c->r, 1.5), std::pow(c->g, 1.5), std::pow(c->b, 1.5)};
+        }
         const Image pictures[] = {
-            as_file(draw(middle)),
+            as_file(draw(middle)), as_file(draw(brighter)),
             with_shadow_rule(
                 scene, [](const std::vector<bool>& r, std::size_t i) { return r[i]; }, 1, 1.0 / 3)};
         for (const Image& picture : pictures) {

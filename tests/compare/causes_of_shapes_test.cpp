@@ -41,6 +41,45 @@ plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.6, 0.6, 0.5)  ambient 
     for (const Cause& cause : other.causes) EXPECT_TRUE(cause.perhaps) << all_causes(other);
 }
 
+// And near misses: parallelograms and spheres of another size.
+TEST(CausesOfShapes, TrianglesAndSpheresOfAnotherSize) {
+    for (const char* const rest :
+         {"background = (0.2, 0.3, 0.5)\ncamera { position = (0, 2, 8)  look_at = (0, 1, 0)  fov_y = 40 }\n",
+          "background = (0.6, 0.6, 0.5)\ncamera { position = (1, 3, 9)  look_at = (0, 1, 0)  fov_y = 36 "
+          "}\n"}) {
+        const auto text = [&](double radius, double small, double v) {
+            const std::string up = std::to_string(v), end = "  color = (0.8, 0.3, 0.2)  ambient = 0.2 }\n";
+            std::string all =
+                std::string(rest) +
+                "light { type = ambient }\nlight { type = point  position = (3, 6, 5)  intensity "
+                "= 0.7 }\nsphere { center = (1.5, 1, 0)  radius = " +
+                std::to_string(radius) + end +
+                "sphere { center = (0.2, 0.3, 2)  radius = " + std::to_string(small) + end +
+                "triangle { vertices = ((-2, 0, 0), (0, 0, 0.5), (-2, 1.5, 0))" + end;
+            if (v > 0)
+                all += "triangle { vertices = ((0, 0, 0.5), (0, " + up + ", 0.5), (-2, " + up + ", 0))" + end;
+            return all + "plane { point = (0, -1, 0)  normal = (0, 1, 0)" + end +
+                   "render { size = 72 x 54 }\n";
+        };
+        const Scene right = read_scene(text(0.8, 0.5, 0));
+        const Image picture = as_file(draw(right));
+        const auto report_of = [&](double radius, double small, double v) {
+            return find_causes(draw_text(text(radius, small, v)), picture, &right).value();
+        };
+        const std::pair<CauseReport, const char*> cases[] = {
+            {report_of(std::sqrt(0.8), std::sqrt(0.5), 0), "radius-squared"},
+            {report_of(0.64, 0.25, 0), "radius-squared"},
+            {report_of(0.8, 0.5, 1.5), "triangle-as-parallelogram"}};
+        for (const auto& [report, name] : cases) {
+            EXPECT_EQ(first_cause(report), name) << all_causes(report);
+            EXPECT_FALSE(report.causes.empty() || report.causes[0].perhaps) << all_causes(report);
+        }
+        EXPECT_NE(first_cause(report_of(0.75, 0.47, 0)), "radius-squared");
+        for (const Cause& cause : report_of(0.8, 0.5, 1.2).causes)
+            EXPECT_TRUE(cause.perhaps || cause.name != "triangle-as-parallelogram");
+    }
+}
+
 TEST(CausesOfShapes, GlassThatBendsTheWrongWay) {
     const std::string head =
         "background = (0.4, 0.5, 0.7)\ncamera { position = (0, 1, 7)  look_at = (0, 1, 0)  fov_y = 40 }\n"

@@ -86,6 +86,26 @@ const std::vector<Case>& cases() {
         {"attenuation-added", {.distance_power = 1}},
         {"attenuation-added", {.distance_power = 2}},
         {"attenuation-added", {.distance_power = 1, .distance_offset = 1}},
+        {"half-vector-not-normalized", {.h_halved = true}, true},
+        {"half-lambert", {.lambert_offset = 1}},
+        {"half-lambert", {.lambert_offset = 1}, true},
+        {"shadow-ray-short", {.shadow_limit = 1}},
+        {"shadow-ray-negated", {.shadow_negated = true}},
+        {"shadow-of-shape-missing", {.last_casts_none = true}},
+        {"epsilon-too-large", {.shadow_least = 0.7}},
+        {"shadow-black", {.dimming = 0.5}},
+        {"shadow-black", {.black_shadow = true}, false, true},
+        {"shadow-black", {.dimming = 0.5}, true, true},
+        {"light-vector", {.l_from_eye = true}},
+        {"radius-squared", {.root_of_radius = true}},
+        {"pixel-step", {.rays_to_corners = true}},
+        {"mirror-part-not-mixed", {.mirror_whole_shine = true}, false, true},
+        {"mirror-part-not-mixed", {.mirror_whole_ambient = true}, true, true},
+        {"mirror-not-multiplied", {.mirror_whole_seen = true}, false, true},
+        {"mirrors-show-less", {.mirror_unshadowed = true}, false, true},
+        {"mirrors-show-less", {.mirror_dull = true}, true, true},
+        {"mirrors-show-less", {.mirror_flat = true}, false, true},
+        {"mirror-fresnel", {.schlick_power = 5}, false, true},
         {"aspect-missing", {.x_factor = 0.75}},
         {"aspect-missing", {.y_factor = 4.0 / 3}},
         {"aspect-inverted", {.x_factor = 0.5625}},
@@ -128,6 +148,25 @@ TEST(CausesOfTracers, AreNamedFirst) {
             ASSERT_TRUE(report && !report->causes.empty()) << c.name;
             EXPECT_FALSE(report->causes[0].perhaps) << all_causes(report);
             EXPECT_TRUE(is_among_the_best(*report, c.name)) << c.name << "\n" << all_causes(report);
+        }
+    }
+}
+
+// Near misses: numbers that a row does not have.
+TEST(CausesOfTracers, AreNotSureWhereTheyAreNot) {
+    const Case near_misses[] = {
+        {"half-lambert", {.lambert_offset = 0.6}},
+        {"shadow-ray-short", {.shadow_limit = 1.6}},
+        {"shadow-black", {.dimming = 0.6}},
+        {"mirror-fresnel", {.schlick_power = 4}, false, true},
+    };
+    for (const auto& make : {table, row}) {
+        for (const Case& c : near_misses) {
+            const SmallScene scene = make(c.blinn, c.mirrors);
+            const Scene read = read_scene(text_of(scene));
+            const CauseReport report = *find_causes(picture(scene, c.mistakes), as_file(draw(read)), &read);
+            EXPECT_TRUE(report.causes.empty() || report.causes[0].perhaps) << c.name << "\n"
+                                                                           << all_causes(report);
         }
     }
 }

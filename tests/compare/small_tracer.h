@@ -36,7 +36,21 @@ struct Mistakes {
     bool specular_colored = false;
     /// By the mean of white and the surface's color.
     bool mirror_half_colored = false, specular_half_colored = false;
-    bool mirror_lit = false;            ///< by the lit color of the surface, not by its own
+    bool mirror_lit = false;  ///< by the lit color of the surface, not by its own
+    bool h_halved = false, l_from_eye = false;
+    /// Parts of the local color that are not times 1 - a, and what mirrors show, not times a.
+    bool mirror_whole_shine = false, mirror_whole_ambient = false, mirror_whole_seen = false;
+    /// What mirrors show: without shadows, without highlights, or in its own color.
+    bool mirror_unshadowed = false, mirror_dull = false, mirror_flat = false;
+    double schlick_power = 0;      ///< if not 0, mirrors reflect more at grazing angles
+    double lambert_offset = 0;     ///< (N.L + this) / (1 + this)
+    double shadow_limit = 0;       ///< if not 0, shapes further away cast no shadow
+    double shadow_least = 0;       ///< shapes that are nearer cast none
+    bool shadow_negated = false;   ///< shadow rays go away from the light
+    bool last_casts_none = false;  ///< the last ball casts no shadow
+    double dimming = 1;            ///< of the ambient term, for each lamp that does not reach
+    bool root_of_radius = false;
+    bool rays_to_corners = false;
     int distance_power = 0;             ///< light divided by d^this...
     double distance_offset = 0;         ///< ... plus this
     double x_factor = 1, y_factor = 1;  ///< of the picture plane
@@ -103,10 +117,11 @@ class SmallTracer {
         const double aspect = static_cast<double>(s_.width) / s_.height;
         for (int y = 0; y < s_.height; ++y) {
             for (int x = 0; x < s_.width; ++x) {
-                const Vec3 d{(2 * (x + 0.5) / s_.width - 1) * half * aspect * m_.x_factor,
-                             (1 - 2 * (y + 0.5) / s_.height) * half * m_.y_factor, -1};
+                double u = 2 * (x + 0.5) / s_.width - 1, v = 1 - 2 * (y + 0.5) / s_.height;
+                if (m_.rays_to_corners) u = 2.0 * x / (s_.width - 1) - 1, v = 1 - 2.0 * y / (s_.height - 1);
+                const Vec3 d{u * half * aspect * m_.x_factor, v * half * m_.y_factor, -1};
                 const Color c = trace(s_.eye, normalize(d), 0);
-                for (const double v : {c.r, c.g, c.b}) image.rgb.push_back(static_cast<float>(v));
+                for (const double w : {c.r, c.g, c.b}) image.rgb.push_back(static_cast<float>(w));
             }
         }
         return image;
@@ -128,7 +143,8 @@ class SmallTracer {
         }
         const SmallBall& b = s_.balls[static_cast<std::size_t>(i - 1)];
         const Vec3 co = o - b.center;
-        const double a = dot(d, d), half = dot(co, d), c = dot(co, co) - b.radius * b.radius;
+        const double a = dot(d, d), half = dot(co, d),
+                     c = dot(co, co) - (m_.root_of_radius ? b.radius : b.radius * b.radius);
         const double root = half * half - a * c;
         if (root < 0) return std::nullopt;
         for (const double t : {(-half - std::sqrt(root)) / a, (-half + std::sqrt(root)) / a}) {
@@ -147,9 +163,13 @@ class SmallTracer {
         return best;
     }
     bool is_blocked(Vec3 from, Vec3 to) const {
-        for (int i = 0; i <= static_cast<int>(s_.balls.size()); ++i) {
-            const std::optional<double> t = hit(i, from, to - from, k_epsilon);
-            if (t && *t < 1) return true;
+        const int count = static_cast<int>(s_.balls.size()) - (m_.last_casts_none ? 1 : 0);
+        const Vec3 way = m_.shadow_negated ? from - to : to - from;
+        const double least = std::max(k_epsilon, m_.shadow_least / length(way));
+        const double most = m_.shadow_limit > 0 ? std::min(1.0, m_.shadow_limit / length(way)) : 1;
+        for (int i = 0; i <= count; ++i) {
+            const std::optional<double> t = hit(i, from, way, least);
+            if (t && *t < most) return true;
         }
         return false;
     }
@@ -164,9 +184,11 @@ class SmallTracer {
                                     : SmallBall{{}, 1, {0.6, 0.6, 0.6}, 0, 1, 0};
         Color color = b.color;
         if (m_.integer_colors) color = {whole(color.r), whole(color.g), whole(color.b)};
-        const Vec3 normal = is_ball ? (p - b.center) / b.radius : Vec3{0, 1, 0};
-        const Color local =
-            light(p, d, m_.n_raw && is_ball ? p - b.center : normal, b, color, depth, is_ball);
+        const Vec3 normal = is_ball ? normalize(p - b.center) : Vec3{0, 1, 0};
+        Color shine;
+        Color local = m_.mirror_flat && depth > 0 ? color
+                                                  : light(p, d, m_.n_raw && is_ball ? p - b.center : normal,
+                                                          b, color, depth, is_ball, shine);
         if (b.mirror <= 0 || depth == 3) return local;
         const Vec3 m = m_.n_raw_in_mirrors && is_ball ? p - b.center : normal;
         Vec3 r = d - m * (2 * dot(m, d));
@@ -176,10 +198,16 @@ class SmallTracer {
         if (m_.mirror_colored) seen = seen * color;
         if (m_.mirror_lit) seen = seen * local;
         if (m_.mirror_half_colored) seen = seen * ((Color{1, 1, 1} + color) * 0.5);
-        return local * (1 - b.mirror) + seen * b.mirror;
+        double a = b.mirror;
+        if (m_.schlick_power > 0) a += (1 - a) * std::pow(1 - std::abs(dot(normal, d)), m_.schlick_power);
+        Color more;
+        if (m_.mirror_whole_shine) more = shine * a;
+        if (m_.mirror_whole_ambient) more = color * (s_.ambient * a);
+        return local * (1 - a) + more + seen * (m_.mirror_whole_seen ? 1 : a);
     }
 
-    Color light(Vec3 p, Vec3 d, Vec3 n, const SmallBall& b, Color color, int depth, bool is_ball) const {
+    Color light(Vec3 p, Vec3 d, Vec3 n, const SmallBall& b, Color color, int depth, bool is_ball,
+                Color& shines) const {
         Color sum = color * s_.ambient;
         Vec3 v = -d;
         const bool has_eye = depth == 0 || m_.v_anywhere;
@@ -191,20 +219,25 @@ class SmallTracer {
         if (m_.v_is_p) v = normalize(p);
         if (m_.n_reversed || (m_.balls_reversed && is_ball)) n = -n;
         bool is_shadowed = false;
+        double dimmed = 1;
         for (const Vec3& lamp : s_.lamps) {
-            if (is_blocked(p, lamp)) {
+            const Vec3 end = m_.l_from_eye ? p + (lamp - s_.eye) * 100.0 : lamp;
+            if (!(m_.mirror_unshadowed && depth > 0) && is_blocked(p, end)) {
                 if (m_.black_shadow) return {0, 0, 0};
                 is_shadowed = true;
+                dimmed *= m_.dimming;
                 continue;
             }
-            const Vec3 to_light = lamp - p;
+            const Vec3 to_light = lamp - (m_.l_from_eye ? s_.eye : p);
             const Vec3 l = m_.l_raw ? to_light : normalize(to_light);
-            const double n_l = m_.diffuse_of_view ? dot(n, v) : dot(n, l);
+            double n_l = m_.diffuse_of_view ? dot(n, v) : dot(n, l);
+            const bool is_lit = n_l > 0;
+            n_l = (n_l + m_.lambert_offset) / (1 + m_.lambert_offset);
             if (n_l <= 0) continue;
             double s;
             if (s_.blinn) {
                 const Vec3 h = m_.h_of_difference ? l - v : l + v;
-                s = dot(m_.of_h_v ? v : n, m_.h_raw ? h : normalize(h));
+                s = dot(m_.of_h_v ? v : n, m_.h_halved ? h / 2 : m_.h_raw ? h : normalize(h));
             } else {
                 const Vec3 r = n * (2 * dot(n, l)) - l;
                 s = dot(m_.r_negated ? -r : r, m_.of_n_r ? n : m_.of_r_l ? l : v);
@@ -217,12 +250,15 @@ class SmallTracer {
             double shine =
                 s > 0 ? std::pow(s, m_.exponent_squared ? b.shininess * b.shininess : b.shininess) : 0;
             if (m_.specular_times_cosine) shine *= n_l;
+            if (!is_lit || (m_.mirror_dull && depth > 0)) shine = 0;
             Color k_s{b.specular, b.specular, b.specular};
             if (m_.specular_is_diffuse && b.specular > 0) k_s = color;
             if (m_.specular_colored) k_s = k_s * color;
             if (m_.specular_half_colored) k_s = k_s * ((Color{1, 1, 1} + color) * 0.5);
             sum = sum + color * (diffuse * strength) + k_s * (shine * strength);
+            shines = shines + k_s * (shine * strength);
         }
+        sum = sum + color * (s_.ambient * (dimmed - 1));
         if (m_.no_ambient_in_shadow && is_shadowed) sum = sum + color * -s_.ambient;
         if (m_.integer_sum) sum = {whole(sum.r), whole(sum.g), whole(sum.b)};
         return sum;

@@ -236,9 +236,10 @@ inline void sample_light_by(const Rules& rules, const WorldParts& world, const P
         store(at.cosines.s, samples.s.data() + i);
         if (rules.finish.phong) store(at.phong_s, samples.phong_s.data() + i);
         if (!rules.has_shadow_rays) continue;
-        store_shadow_rays(shadow_ray_at(world, light, rules, surface_at(surfaces, i), at.to_light),
-                          comes_from_light(light, world.conventions) && !rules.is_moved, at.lit, shadow_rays,
-                          rays);
+        auto ray = shadow_ray_at(world, light, rules, surface_at(surfaces, i), at.to_light);
+        if constexpr (Rules::is_faulty) ray = faulty_shadow_ray(world, light, at.distance, ray);
+        store_shadow_rays(ray, comes_from_light(light, world.conventions) && !rules.is_moved, at.lit,
+                          shadow_rays, rays);
         rays += count(at.lit);
     }
     shadow_rays.count = rays;

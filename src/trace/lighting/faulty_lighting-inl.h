@@ -8,6 +8,7 @@
 #endif
 
 #include "lighting/phong-inl.h"
+#include "trace/lighting/shadow_rays-inl.h"
 #include "trace/surface/faulty_normals-inl.h"
 #include "trace/surface/material-inl.h"
 #include "trace/surface/surface-inl.h"
@@ -26,6 +27,12 @@ HWY_INLINE Cosines<Doubles> faulty_cosines(const WorldParts& world, const Surfac
             return cosines(normal, to_light, v, rules);
         case TracerFault::half_not_unit:
             return rules.shading == Shading::blinn_phong ? Cosines<Doubles>{c.n_l, dot(normal, l + v)} : c;
+        case TracerFault::half_of_sum:
+            return rules.shading == Shading::blinn_phong
+                       ? Cosines<Doubles>{c.n_l, dot(normal, (l + v) * Doubles(0.5))}
+                       : c;
+        case TracerFault::half_lambert:  // there is no highlight behind, all the same
+            return {c.n_l * Doubles(0.5) + Doubles(0.5), select(c.n_l > Doubles(0), c.s, Doubles(0))};
         case TracerFault::half_of_difference:
             return rules.shading == Shading::blinn_phong
                        ? Cosines<Doubles>{c.n_l, dot(normal, normalize(l - v))}
@@ -60,6 +67,19 @@ HWY_INLINE Cosines<Doubles> faulty_cosines(const WorldParts& world, const Surfac
         default:
             return c;
     }
+}
+
+/// The shadow ray to a light at this distance.
+HWY_INLINE ShadowRay<Doubles> faulty_shadow_ray(const WorldParts& world, const PreparedLight& light,
+                                                Doubles distance, ShadowRay<Doubles> ray) {
+    if (world.fault == TracerFault::shadow_negated) ray.direction = -ray.direction;
+    if (world.fault != TracerFault::shadow_to_one) return ray;
+    if (comes_from_light(light, world.conventions)) {
+        ray.t_min = max(ray.t_min, Doubles(1) - Doubles(1) / distance);
+    } else if (!light.has_position()) {
+        ray.t_max = 1 / length(light.to_light);
+    }
+    return ray;
 }
 
 /// The cosine of the diffuse term.
