@@ -32,7 +32,7 @@ std::string json_report(const CompareReport& report);
 std::string percent_text(std::uint64_t part, std::uint64_t whole);
 
 /// What stands before the explanation of a cause that is not certain; empty if it is.
-std::string likelihood_text(const Cause& cause);
+std::string likelihood_text(const Cause& cause, bool with_scene);
 
 /// An explained share: "99.8%".
 std::string share_text(double share);

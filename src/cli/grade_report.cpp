@@ -36,7 +36,7 @@ std::string verdict(const GradedPicture& p) {
 // All causes in sentences for the student.
 std::string explanation_text(const CauseReport& report) {
     const Cause& first = report.causes.front();
-    std::string text = likelihood_text(first) + first.explanation;
+    std::string text = likelihood_text(first, false) + first.explanation;
     for (const Cause& cause : report.then) text += " And then also: " + cause.explanation;
     return text;
 }
