@@ -39,6 +39,12 @@ constexpr std::int64_t k_min_for_threads = 1 << 18;
 // In 255ths: so near to a tie of rounding, another program's number may be on its other side.
 constexpr double k_tie_width = 0.002;
 
+// Whether it changes shadow rays. Those of correct programs begin in different places, which moves the
+// borders of shadows by as much.
+bool moves_shadows(const Cause& cause) {
+    return cause.name.starts_with("shadow-") || cause.name.starts_with("epsilon-");
+}
+
 // Whether a number that differs by no more than that becomes this byte.
 bool may_become(float value, const ByteRule& rule, std::uint8_t byte) {
     for (const double by : {-k_tie_width, k_tie_width}) {
@@ -325,9 +331,8 @@ void CauseFinder::name(Search& search) {
     judge_agreement(search);
 }
 
-// Pictures that differ by no more than rounding have no cause but truncation. A few pixels on edges have
-// none: shadow rays of correct programs begin in different places, which moves the borders of shadows. A few
-// elsewhere have none that is a guess from the pictures alone.
+// Pictures that differ by no more than rounding have no cause but truncation. A few pixels on edges have none
+// that is only likely, or of shadows, and a few elsewhere have none that is a guess from the pictures alone.
 void CauseFinder::judge_agreement(Search& search) const {
     CauseReport& report = search.report;
     const bool is_explained = !report.causes.empty() && !report.causes.front().perhaps;
@@ -337,8 +342,8 @@ void CauseFinder::judge_agreement(Search& search) const {
         report.remark =
             fmt::format("The pictures agree: all pixels are within rounding; {} of {} {} by 1 of 255.",
                         search.differing, pixels, search.differing == 1 ? "differs" : "differ");
-    } else if ((!is_explained || search.is_on_edges) && is_few(search.beyond_rounding) &&
-               report.remark.empty()) {
+    } else if (is_few(search.beyond_rounding) && report.remark.empty() &&
+               (!is_explained || (search.is_on_edges && moves_shadows(report.causes.front())))) {
         report.remark =
             fmt::format("All pixels but {} of {} are within rounding (1 of 255){}.", search.beyond_rounding,
                         pixels, search.is_on_edges ? ", and these are on edges, where renderers differ" : "");
