@@ -40,6 +40,11 @@ struct Highlights {
     Color with(const Material& m, double k) const { return colored ? m.color * k : grey(k); }
 };
 
+bool has_colored_highlights(const Scene& s) { return has_highlights(s) && Highlights(s).colored; }
+void take_color_from_highlights(Scene& s) {
+    for_each_material(s, [highlights = Highlights(s)](Material& m) { m.specular = grey(highlights.of(m)); });
+}
+
 // Lights that shine and are not ambient.
 std::size_t count_lights(const Scene& s) {
     return static_cast<std::size_t>(std::count_if(
@@ -177,6 +182,28 @@ constexpr SceneFault k_mixed_up[] = {
     {"diffuse-without-color", is_lit,
      [](Scene& s) { for_each_material(s, [](Material& m) { m.diffuse = grey(largest(m.diffuse)); }); },
      "The diffuse term has the largest channel of the surface's color in all three."},
+    {"ambient-without-color", has_ambient,
+     [](Scene& s) {
+         for_each_material(s, [](Material& m) { m.ambient = grey(coefficient(m.ambient, m.color)); });
+     },
+     "The ambient term is not multiplied by the surface's color."},
+    {"highlight-not-surface-color", has_colored_highlights, take_color_from_highlights,
+     "Highlights are white, and in the reference they have the surface's color: multiply the specular term "
+     "by it."},
+    {"highlight-not-light-color", has_colored_highlights,
+     [](Scene& s) {
+         take_color_from_highlights(s);
+         for_each_light(s, [](Light& l) { l.specular_color = {1, 1, 1}; });
+     },
+     "The specular term is k_s (R.V)^n, or k_s (N.H)^n, alone: multiply it by the color of the surface and "
+     "by that of the light."},
+    {"light-color-ignored", is_lit,
+     [](Scene& s) { for_each_light(s, [](Light& l) {
+                        l.color = {1, 1, 1};
+                    }); },
+     "The diffuse term is not multiplied by the lights' color and intensity: multiply the whole sum k_d "
+     "(N.L) + k_s (R.V)^n by "
+     "it."},
     {"ambient-without-material", has_ambient,
      [](Scene& s) { for_each_material(s, [](Material& m) {
                         m.ambient = {1, 1, 1};

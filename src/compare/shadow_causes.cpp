@@ -150,7 +150,7 @@ std::optional<Image> terms_of(Scene scene, std::size_t light, bool shadows, cons
 }
 
 // The shadow rays that count for a light: its own and those of the lights before it, all, or the first.
-enum class ShadowState : std::uint8_t { so_far, any, first };
+enum class ShadowState : std::uint8_t { so_far, so_far_in_front, any, first };
 
 }  // namespace
 
@@ -190,10 +190,14 @@ void add_shadows_of_other_lights(const Scene& scene, std::vector<SceneCause>& ca
                 std::vector<std::uint8_t> reached;  // by the lights that have been rendered
                 const auto look = [&](std::size_t light) {
                     const std::optional<Image> found = light_of(s, light, render);
-                    if (!found) return false;
+                    Scene lit = s;
+                    lit.settings.shadows = false;
+                    std::optional<Image> in_front;
+                    if (state == ShadowState::so_far_in_front) in_front = light_of(lit, light, render);
+                    if (!found || (state == ShadowState::so_far_in_front && !in_front)) return false;
                     reached.resize(found->rgb.size(), 1);
                     for (std::size_t i = 0; i < reached.size(); ++i) {
-                        if (found->rgb[i] == 0) reached[i] = 0;
+                        if (found->rgb[i] == 0 && (!in_front || in_front->rgb[i] > 0)) reached[i] = 0;
                     }
                     return true;
                 };
@@ -201,6 +205,7 @@ void add_shadows_of_other_lights(const Scene& scene, std::vector<SceneCause>& ca
                     return std::nullopt;
                 for (const std::size_t light : lights) {
                     const bool looks = state == ShadowState::so_far ||
+                                       state == ShadowState::so_far_in_front ||
                                        (state == ShadowState::first && light == lights.front());
                     if (looks && !look(light)) return std::nullopt;
                     const std::optional<Image> own = terms_of(s, light, false, render);
@@ -216,6 +221,10 @@ void add_shadows_of_other_lights(const Scene& scene, std::vector<SceneCause>& ca
     add("A light whose shadow ray is blocked ends the light of the lights after it, too: go on with the next "
         "one, and begin its test anew.",
         ShadowState::so_far);
+    add("A light that is in front of a surface and whose shadow ray is blocked ends the light of the lights "
+        "after it, too: "
+        "go on with the next one, and begin its test anew.",
+        ShadowState::so_far_in_front);
     add("No light is added where any light is blocked: leave out only the light whose shadow ray is blocked.",
         ShadowState::any);
     add("The shadow ray of the first light counts for all lights: each has its own.", ShadowState::first);

@@ -128,6 +128,22 @@ const std::vector<MixedUp>& mixed_up() {
              const double k_d = m.diffuse.b / m.color.b;
              m.diffuse = {k_d, k_d, k_d};
          })},
+        {"ambient-without-color", "not multiplied by the surface's color",
+         of_materials([](const Scene&, Material& m) {
+             const double k_a = m.ambient.g / m.color.g;
+             m.ambient = {k_a, k_a, k_a};
+         })},
+        {"light-color-ignored", "diffuse term is not multiplied", of_lights([](Light& l) {
+             l.color = {1, 1, 1};
+         })},
+        {"highlight-not-light-color", "(R.V)^n",
+         [](Scene& s) {
+             for (Material& m : s.materials) {
+                 const double k = k_s(s, m);
+                 m.specular = {k, k, k};
+             }
+             for (Light& light : s.lights) light.specular_color = {1, 1, 1};
+         }},
         {"ambient-without-material", "added as it is", of_materials([](const Scene&, Material& m) {
              m.ambient = {1, 1, 1};
          })},
@@ -235,7 +251,9 @@ TEST(CausesOfMixedItems, AreNamed) {
 
 // A picture of the scene with the terms of lights by what is known of their shadows: reaches[i] of light i.
 using Rule = std::function<bool(const std::vector<bool>& reaches, std::size_t light)>;
-Image with_shadow_rule(const Scene& scene, const Rule& rule, double left, double in_shadow) {
+// in_front: light from behind a surface counts as one that reaches it.
+Image with_shadow_rule(const Scene& scene, const Rule& rule, double left, double in_shadow,
+                       bool in_front = false) {
     // On all sides of white surfaces, or what a light adds.
     const auto only = [&](std::size_t kept, bool shadows, bool all_sides) {
         Scene one = scene;
@@ -255,14 +273,16 @@ Image with_shadow_rule(const Scene& scene, const Rule& rule, double left, double
         return draw(one);
     };
     Image sum = only(0, true, false);
-    std::vector<Image> lit, free;
+    std::vector<Image> lit, free, unblocked;
     for (std::size_t i = 1; i < scene.lights.size(); ++i) {
         lit.push_back(only(i, true, true));
         free.push_back(only(i, false, false));
+        unblocked.push_back(only(i, false, true));
     }
     for (std::size_t p = 0; p < sum.rgb.size(); p += 3) {
         std::vector<bool> reaches;
-        for (std::size_t i = 0; i < lit.size(); ++i) reaches.push_back(lit[i].rgb[p] != 0);
+        for (std::size_t i = 0; i < lit.size(); ++i)
+            reaches.push_back(lit[i].rgb[p] != 0 || (in_front && unblocked[i].rgb[p] < 0));
         for (std::size_t c = p; c < p + 3; ++c) {
             for (std::size_t i = 0; i < lit.size(); ++i)
                 sum.rgb[c] += static_cast<float>(rule(reaches, i) ? left : in_shadow) * free[i].rgb[c];
@@ -276,6 +296,7 @@ TEST(CausesOfMixedItems, OfShadowRaysAreNamed) {
         const char *cause, *text;
         Rule rule;
         double in_shadow = 0;
+        bool in_front = false;
     };
     const ShadowCase cases[] = {
         {"shadow-of-another-light", "No light is added where any",
@@ -284,6 +305,11 @@ TEST(CausesOfMixedItems, OfShadowRaysAreNamed) {
          [](const std::vector<bool>& r, std::size_t i) {
              return std::count(r.begin(), r.begin() + static_cast<std::ptrdiff_t>(i) + 1, false) == 0;
          }},
+        {"shadow-of-another-light", "that is in front of a surface",
+         [](const std::vector<bool>& r, std::size_t i) {
+             return std::count(r.begin(), r.begin() + static_cast<std::ptrdiff_t>(i) + 1, false) == 0;
+         },
+         0, true},
         {"shadow-of-another-light", "of the first light counts for all",
          [](const std::vector<bool>& r, std::size_t) { return r[0]; }},
         {"shadow-part", "Half of a light", [](const std::vector<bool>& r, std::size_t i) { return r[i]; },
@@ -292,7 +318,8 @@ TEST(CausesOfMixedItems, OfShadowRaysAreNamed) {
     for (const auto& make : {colored_room, colored_table}) {
         for (const ShadowCase& c : cases) {
             const Scene scene = read_scene(make(false));
-            const Image wrong = with_shadow_rule(scene, c.rule, 1, c.in_shadow), right = as_file(draw(scene));
+            const Image wrong = with_shadow_rule(scene, c.rule, 1, c.in_shadow, c.in_front),
+                        right = as_file(draw(scene));
             const CauseReport report = *find_causes(wrong, right, &scene);
             ASSERT_FALSE(report.causes.empty()) << c.text;
             EXPECT_TRUE(is_among_first(report, {c.cause, c.text, {}})) << c.text << "\n"
