@@ -133,8 +133,9 @@ constexpr SceneFault k_lighting[] = {
      [](Scene& s) { for_each_light(s, switch_off); },
      "There is only the ambient term. N or L is reversed, so that N.L is below 0 where the surface is lit (a "
      "sphere's N is P - C, not C - P, and L goes from P to the light), or no light is "
-     "added, or every shadow ray hits the surface that it starts from (it starts on the wrong side, or goes "
-     "away from the light), or all lights stand where they reach nothing that is visible, or are too dim to "
+     "added, or every shadow ray hits the surface that it starts from (it starts on the wrong side, goes "
+     "away from the light, or counts hits with t < 0), or all lights stand where they reach nothing that is "
+     "visible, or are too dim to "
      "be seen.",
      "the light of all lights but the ambient one", "light-intensity", scale_lights},
     {"shadows-missing", has_shadows, [](Scene& s) { s.settings.shadows = false; },
