@@ -115,7 +115,8 @@ class SolidLanes {
     }
 
     /// Accepts the hits of the rays `bits`, by entry and exit of the solid's box.
-    void test(std::uint32_t bits, Doubles entry, Doubles exit) {
+    // Vectors by reference: emscripten calls what may throw by functions of JavaScript, which take none.
+    void test(std::uint32_t bits, const Doubles& entry, const Doubles& exit) {
         if (total_ > k_most_together) return test_one_by_one(bits, entry, exit);
         const Doubles t_min = load(tests_.rays.t_min + ray_number_);
         const Doubles size = max_abs(ray_.direction), error = max_abs(ray_.origin) * Doubles(k_event_error);
@@ -179,7 +180,7 @@ class SolidLanes {
         total_ = found;
     }
 
-    HWY_NOINLINE void test_one_by_one(std::uint32_t bits, Doubles entry, Doubles exit) {
+    HWY_NOINLINE void test_one_by_one(std::uint32_t bits, const Doubles& entry, const Doubles& exit) {
         alignas(64) double entries[lane_count<double>()], exits[lane_count<double>()];
         store(entry, entries);
         store(exit, exits);
