@@ -59,8 +59,7 @@ bool is_surface_only(const CheckContext& context, std::uint32_t shape) {
         if (tree.steps.back().operation == SolidOperation::clip) return true;
     }
     const Material& material = context.material_of(shape);
-    const auto is_zero = [](const Color& c) { return c == Color{0, 0, 0}; };
-    return is_zero(material.diffuse) && is_zero(material.specular) && is_zero(material.phong) &&
+    return is_black(material.diffuse) && is_black(material.specular) && is_black(material.phong) &&
            material.mirror == 0 && material.transmission == 0 && !material.is_transparent();
 }
 

@@ -26,6 +26,8 @@ template <class Test> double share_of_pixels(const Image& image, const Test& tes
     return 3 * static_cast<double>(count) / static_cast<double>(image.rgb.size());
 }
 
+inline bool is_black(Color c) { return c.r == 0 && c.g == 0 && c.b == 0; }
+
 /// As findings write it: "(1, 2.5, -3)".
 std::string vector_text(Vec3 v);
 /// A share from 0 to 1: "0.53%", "100%".

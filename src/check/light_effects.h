@@ -16,8 +16,6 @@ inline constexpr std::size_t k_full_looks = 8;
 /// A light that adds less than this to every pixel is hardly visible.
 inline constexpr double k_faint = 0.06;
 
-inline bool is_black(Color c) { return c.r == 0 && c.g == 0 && c.b == 0; }
-
 /// How much two pictures differ.
 struct Effect {
     double most = 0;   ///< in a channel of a pixel
