@@ -22,9 +22,6 @@ std::string pixel_text(const float (&c)[3], bool as_floats) {
     return fmt::format("({}, {}, {})", to_byte(c[0]), to_byte(c[1]), to_byte(c[2]));
 }
 
-// A sure cause that explains less is one off edges.
-constexpr double k_all_sure = 0.97;
-
 void add_counts(std::string& text, const char* name, const PixelCounts& counts) {
     fmt::format_to(std::back_inserter(text), "{:<10}{:>13} {:>10} {:>13} {:>13}\n", name,
                    with_commas(counts.pixels), percent_text(counts.equal, counts.pixels),
@@ -78,12 +75,9 @@ void add_causes(std::string& text, const CompareReport& report) {
         return;
     }
     const Cause& best = causes.causes.front();
-    fmt::format_to(
-        out, "{}{}\n  ({}: explains {} of the difference{})\n", likelihood_text(best, report.with_scene),
-        best.explanation, best.name, share_text(best.explained),
-        causes.away_from_edges                                                ? " away from edges"
-        : best.perhaps || best.explained > k_all_sure || !causes.then.empty() ? ""
-                                                                              : "; the rest is at edges");
+    fmt::format_to(out, "{}{}\n  ({}: explains {} of the difference{})\n", likelihood_text(causes),
+                   best.explanation, best.name, share_text(best.explained),
+                   causes.away_from_edges ? " away from edges" : "");
     for (const Cause& cause : causes.then)
         fmt::format_to(out, "And then also: {}\n  ({}: with it {} is explained)\n", cause.explanation,
                        cause.name, share_text(cause.explained));
@@ -150,9 +144,10 @@ std::string share_text(double share) {
     return share < 1 && text == "100%" ? ">99.9%" : text;
 }
 
-std::string likelihood_text(const Cause& cause, bool with_scene) {
-    if (!cause.perhaps) return {};
-    return cause.rendered || with_scene ? "Perhaps: " : "A guess from the pictures alone: ";
+std::string likelihood_text(const CauseReport& report) {
+    const Cause& first = report.causes.front();
+    if (!first.perhaps) return {};
+    return first.rendered || report.scene_from_b ? "Perhaps: " : "A guess from the pictures alone: ";
 }
 
 std::string text_report(const CompareReport& report) {

@@ -31,8 +31,8 @@ std::string json_report(const CompareReport& report);
 /// 0.99951 -> "99.95%"; only all is "100%", and only nothing "0%".
 std::string percent_text(std::uint64_t part, std::uint64_t whole);
 
-/// What stands before the explanation of a cause that is not certain; empty if it is.
-std::string likelihood_text(const Cause& cause, bool with_scene);
+/// What stands before the explanation of the first cause if it is not certain; else empty.
+std::string likelihood_text(const CauseReport& report);
 
 /// An explained share: "99.8%".
 std::string share_text(double share);

@@ -35,8 +35,7 @@ std::string verdict(const GradedPicture& p) {
 
 // All causes in sentences for the student.
 std::string explanation_text(const CauseReport& report) {
-    const Cause& first = report.causes.front();
-    std::string text = likelihood_text(first, false) + first.explanation;
+    std::string text = likelihood_text(report) + report.causes.front().explanation;
     for (const Cause& cause : report.then) text += " And then also: " + cause.explanation;
     return text;
 }

@@ -57,6 +57,20 @@ TEST_F(Grade, TheTableHasBothSentencesOfTwoCauses) {
     EXPECT_TRUE(contains(csv, "Mirrors are missing")) << csv;
 }
 
+TEST_F(Grade, WithTheSceneACauseIsNoGuessFromThePicturesAlone) {
+    draw("in/ada.ppm", {});
+    std::string root = folder.read("in/ada.ppm");
+    for (std::size_t i = root.size() - std::size_t{3} * 96 * 72; i < root.size(); ++i) {
+        const double value = static_cast<unsigned char>(root[i]) / 255.0;
+        root[i] = static_cast<char>(std::lround(255 * std::sqrt(value)));
+    }
+    folder.write("in/ada.ppm", root);
+    const Finished r = grade({"in", "--scene", k_castle, "--size", "96x72", "--csv", "t.csv"});
+    EXPECT_EQ(r.code, 0) << r.err;
+    const std::string csv = folder.read("t.csv");
+    EXPECT_TRUE(contains(csv, "\"Perhaps: A gamma of 1/2.0 was applied")) << csv;
+}
+
 TEST_F(Grade, SaysWhatNoCauseExplains) {
     draw("right.png", {});
     draw("in/one.png", {});
