@@ -190,10 +190,12 @@ void add_shadows_of_other_lights(const Scene& scene, std::vector<SceneCause>& ca
                 std::vector<std::uint8_t> reached;  // by the lights that have been rendered
                 const auto look = [&](std::size_t light) {
                     const std::optional<Image> found = light_of(s, light, render);
-                    Scene lit = s;
-                    lit.settings.shadows = false;
                     std::optional<Image> in_front;
-                    if (state == ShadowState::so_far_in_front) in_front = light_of(lit, light, render);
+                    if (state == ShadowState::so_far_in_front) {
+                        Scene lit = s;
+                        lit.settings.shadows = false;
+                        in_front = light_of(std::move(lit), light, render);
+                    }
                     if (!found || (state == ShadowState::so_far_in_front && !in_front)) return false;
                     reached.resize(found->rgb.size(), 1);
                     for (std::size_t i = 0; i < reached.size(); ++i) {
