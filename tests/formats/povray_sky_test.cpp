@@ -110,6 +110,11 @@ TEST(PovRaySky, OtherPatternsAreNamed) {
     }
 }
 
+TEST(PovRaySky, AnotherBracketThanItsOwnIsAnError) {
+    const std::string wrong = messages(read_povray("sphere { 0, 1 }\nsky_sphere { haze ] }"));
+    EXPECT_TRUE(wrong.starts_with("a.pov:2:19: error: expected `}`, found ']'\n")) << wrong;
+}
+
 TEST(PovRaySky, TheLastOpaquePigmentIsDrawn) {
     const auto read = [](const std::string& items) {
         return read_povray("light_source { 9, 1 }\nsphere { 0, 1 }\nsky_sphere { " + items + " }");

@@ -32,6 +32,11 @@ void TextureParser::skip_rest() {
     }
 }
 
+void TextureParser::skip_rest_of_block() {
+    skip_rest();
+    if (!failed() && !peek().is('}')) expected("`}`");
+}
+
 void TextureParser::skip_block() {
     if (!expect('{')) return;
     skip_rest();

@@ -84,7 +84,7 @@ void TextureParser::read_image_item(const Token& at, ImageItems& items) {
     if (accept(Word::k_transmit)) return read_all(items.transmit);
     if (item.kind != TokenKind::word) {
         is_refused("image_map", "of an old kind");
-        return skip_rest();
+        return skip_rest_of_block();
     }
     const std::string_view word = text_of(take());
     if (word == "gamma") {
@@ -109,7 +109,7 @@ void TextureParser::read_image_item(const Token& at, ImageItems& items) {
         if (flag()) is_refused("premultiplied", "alpha");
     } else if (word == "function" || word == "pattern") {
         is_refused("image_map", "of a function");
-        skip_rest();
+        skip_rest_of_block();
     }
     // Other words are the types of files, which say it themselves, `use_color` and the like.
 }

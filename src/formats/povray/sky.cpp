@@ -121,7 +121,7 @@ SkyItems TextureParser::read_sky_items() {
             sky = named->sky;
         } else {
             sky.is_known = false;
-            skip_rest();
+            skip_rest_of_block();
         }
     }
     return sky;

@@ -97,7 +97,10 @@ class TextureParser : public ValueParser {
     std::shared_ptr<const Opaque> read_opaque(Word word, const Token& at);
     Opaque read_interior(const Token& at, const Opaque* before = nullptr);
     void skip_block();
+    /// To the `}` or `]` that ends what is being read.
     void skip_rest();
+    /// To its `}`; a `]` is an error.
+    void skip_rest_of_block();
     Missing missing(const Token& at, std::string_view name);
 
   private:
