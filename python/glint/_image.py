@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from typing import IO, Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
@@ -45,7 +46,7 @@ class Image(Closed):
     """A picture: linear RGB floats, row by row from the top.
 
     Image(array) copies height x width x 3 (or 4) numbers, or height x width greys: floats, of which 1 is the
-    brightest, or uint8 or uint16, whose largest number it is. A PIL image is accepted as well. Image.open() reads a PNG,
+    brightest (whole numbers up to 255 raise ValueError), or uint8 or uint16, whose largest number it is. A PIL image is accepted as well. Image.open() reads a PNG,
     PPM, JPEG or OpenEXR file.
     """
 
@@ -235,7 +236,21 @@ def _to_array(picture: Any) -> FloatArray:
     if array.ndim != 3 or array.shape[2] != 3:
         shape = " x ".join(map(str, array.shape))
         raise ValueError(f"a picture is an array of height x width x 3 numbers, found {shape or 'one number'}")
-    return np.ascontiguousarray(array, dtype=np.float32)
+    floats = np.ascontiguousarray(array, dtype=np.float32)
+    most = float(floats.max(initial=0))
+    if array.dtype.kind == "f" and 16 <= most <= 255:
+        # Almost all of it would be white. Bright light of whole numbers alone does not occur.
+        if np.array_equal(floats, np.rint(floats)):
+            raise ValueError(
+                f"the numbers of a picture of floats are from 0 to 1, found whole numbers up to {most:g}: "
+                "divide them by 255, or convert them, as by astype(np.uint8)"
+            )
+        if np.count_nonzero(floats > 1) > floats.size / 2:
+            warnings.warn(
+                "most numbers of this picture of floats are above 1, which is white: if 255 is the brightest, divide them by it",
+                stacklevel=3,
+            )
+    return floats
 
 
 def to_image(picture: Any) -> Image:

@@ -5,7 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
+#include <vector>
 
+#include "base/text.h"
 #include "scene_state.h"
 
 namespace glint::python {
@@ -17,9 +20,17 @@ using SceneClass = py::class_<SceneState, std::shared_ptr<SceneState>>;
 std::uint32_t named(const ItemTexts& texts, std::size_t count, const std::string& name,
                     std::string_view what) {
     std::uint32_t first = k_none;
-    for (const auto& [index, known] : texts.names)
-        if (known == name && index < count) first = std::min(first, index);
-    if (first == k_none) throw py::key_error(fmt::format("the scene has no {} '{}'", what, name));
+    std::vector<std::string_view> others;
+    for (const auto& [index, known] : texts.names) {
+        if (index >= count) continue;
+        if (known == name)
+            first = std::min(first, index);
+        else
+            others.push_back(known);
+    }
+    if (first == k_none)
+        throw py::key_error(
+            fmt::format("the scene has no {} '{}'{}", what, name, did_you_mean(name, others)));
     return first;
 }
 

@@ -2,6 +2,7 @@
 """What is wrong is refused where it is said, in plain words."""
 
 import re
+import warnings
 
 import numpy as np
 import pytest
@@ -75,6 +76,7 @@ def test_classes_of_users_have_attributes_of_their_own():
         (lambda: glint.Image(np.full((2, 2, 3), 200)), "a picture of whole numbers is an array of uint8 (0 to 255) or uint16 (0 to 65535), found int64"),
         (lambda: glint.compare([[0, 1]], IMAGE), "a picture of whole numbers is an array of uint8"),
         (lambda: glint.Image(np.zeros((2, 2, 3), np.uint32)), "a picture of whole numbers is an array of uint8"),
+        (lambda: glint.Image(np.full((2, 2, 3), 200.0)), "the numbers of a picture of floats are from 0 to 1, found whole numbers up to 200:"),
         (lambda: glint.Scene().render(threads="a"), "threads: expected a whole number, found 'a'"),
         (lambda: glint.Scene().render(isa=3), "isa: expected a string, found 3"),
         (lambda: glint.Scene().render(aov=3), "aov: expected a string or a sequence of a string, found 3"),
@@ -116,6 +118,23 @@ def test_normals_without_a_direction_are_refused_at_once():
 def test_cylinders_without_an_axis_are_refused_at_once():
     with pytest.raises(ValueError, match=r"to: row 1: expected another point than that of from_, found \(0.0, 1.0, 0.0\)"):
         glint.Scene().cylinders(np.eye(3), [(2, 0, 0), (0, 1, 0), (0, 0, 3)])
+
+
+def test_a_wrong_name_has_a_suggestion():
+    scene = glint.Scene()
+    scene.add(glint.Sphere((0, 0, 0), 1, material=glint.Material(name="gold")))
+    with pytest.raises(KeyError, match="the scene has no material 'golt'; did you mean `gold`"):
+        scene.materials["golt"]
+
+
+def test_floats_of_a_brightness_of_255_are_warned_of():
+    with pytest.warns(UserWarning, match="most numbers of this picture of floats are above 1"):
+        glint.Image(np.full((2, 2, 3), 100.5))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        bright = np.zeros((2, 2, 3))
+        bright[0, 0] = 100.5
+        assert glint.Image(bright).array.max() == 100.5
 
 
 def test_settings_of_numpy(scene):
