@@ -184,6 +184,32 @@ void add_faults_in_mirrors(const Scene& scene, std::vector<SceneCause>& causes) 
         true);
 }
 
+// What a ray adds is at most its weight, which is what white surfaces add that need no light.
+void add_clamped_parts(const Scene& scene, std::vector<SceneCause>& causes) {
+    if (!has_mirrors(scene) || !is_lit(scene) || scene.settings.reflections > k_max_composed_levels ||
+        !scene.textures.empty())
+        return;
+    SceneCause cause{
+        "local-color-clamped",
+        "The color of each surface is limited to 1 before mirrors mix it: limit only the color of "
+        "the pixel.",
+        {}};
+    cause.compose = by_levels([](const Scene& s, const RenderScene& render) -> std::optional<Image> {
+        Scene white = s;
+        std::for_each(white.lights.begin(), white.lights.end(), switch_off);
+        white.background = {1, 1, 1};
+        white.gradient.reset();
+        for_each_material(white, [](Material& m) { m.emission = {1, 1, 1}; });
+        std::optional<Image> part = render(s);
+        const std::optional<Image> weight = render(white);
+        if (!part || !weight) return std::nullopt;
+        for (std::size_t i = 0; i < part->rgb.size(); ++i)
+            part->rgb[i] = std::min(part->rgb[i], weight->rgb[i]);
+        return part;
+    });
+    causes.push_back(std::move(cause));
+}
+
 void add_tone_curves(std::vector<SceneCause>& causes) {
     // curve(channel, the largest channel of the pixel)
     const auto add = [&](const char* explanation, double (*curve)(double, double)) {

@@ -18,7 +18,14 @@ void add_faults_in_mirrors(const Scene& scene, std::vector<SceneCause>& causes);
 /// A tone curve of the whole picture; scenes have none.
 void add_tone_curves(std::vector<SceneCause>& causes);
 
+/// Colors are clamped before they are mixed in mirrors.
+void add_clamped_parts(const Scene& scene, std::vector<SceneCause>& causes);
+
 // shadow_causes.cpp:
+/// Composes what is seen directly, and then what each mirror ray adds.
+using Compose = decltype(SceneCause::compose);
+Compose by_levels(Compose compose);
+inline constexpr int k_max_composed_levels = 4;
 /// Surfaces are black where lights do not reach them, without the ambient term.
 void add_black_shadows(const Scene& scene, std::vector<SceneCause>& causes);
 /// The greatest of the lights in place of their sum.

@@ -200,6 +200,7 @@ std::vector<SceneCause> scene_causes(const Scene& scene) {
     add_shadows_of_other_lights(scene, causes);
     add_greatest_light(scene, causes);
     add_faults_in_mirrors(scene, causes);
+    add_clamped_parts(scene, causes);
     add_tone_curves(causes);
     add(shape_faults());
     add(mixed_up_faults());

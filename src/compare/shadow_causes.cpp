@@ -6,15 +6,8 @@
 #include "compare/scene_faults.h"
 
 namespace glint {
-namespace {
 
-constexpr std::size_t k_max_shadow_lights = 4;  // each is rendered alone
-constexpr int k_max_levels_of_shadows = 4;      // of reflection, each by itself, too
-
-using Compose = decltype(SceneCause::compose);
-
-// Composes what is seen directly, and then what each mirror ray adds: of one ray, it is known what is in
-// shadow.
+// Of one ray, it is known what is in shadow.
 Compose by_levels(Compose compose) {
     return [compose = std::move(compose)](const Scene& s, const RenderScene& render) -> std::optional<Image> {
         if (!has_mirrors(s)) return compose(s, render);
@@ -51,6 +44,10 @@ Compose by_levels(Compose compose) {
     };
 }
 
+namespace {
+
+constexpr std::size_t k_max_shadow_lights = 4;  // each is rendered alone
+
 void keep_only(Scene& scene, std::size_t light) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         if (i != light) switch_off(scene.lights[i]);
@@ -76,7 +73,7 @@ std::optional<Image> light_of(Scene scene, std::size_t light, const RenderScene&
 // The lights whose shadows can be told from the picture; none if there are too many.
 std::vector<std::size_t> shadow_lights(const Scene& scene) {
     std::vector<std::size_t> lights;
-    if (!has_shadows(scene) || (has_mirrors(scene) && scene.settings.reflections > k_max_levels_of_shadows) ||
+    if (!has_shadows(scene) || (has_mirrors(scene) && scene.settings.reflections > k_max_composed_levels) ||
         has_glass(scene))
         return lights;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {

@@ -86,6 +86,13 @@ void give_shadowless(Scene& s, std::size_t shape) {
     add_shadowless(s);
 }
 
+template <ShapeKind kind> void give_kind_shadowless(Scene& s) {
+    for (Shape& shape : s.shapes) {
+        if (shape.kind == kind) shape.material += static_cast<std::uint32_t>(s.materials.size());
+    }
+    add_shadowless(s);
+}
+
 bool has_lamps(const Scene& s) {
     return is_lit(s) && any_light(s, [](const Light& l) { return !is_ambient(l) && l.has_position(); });
 }
@@ -176,6 +183,26 @@ constexpr SceneFault k_shapes[] = {
      .put = add_shadowless,
      .explanation = "The first shape casts no shadow: test all shapes with shadow rays, too.",
      .reshape = [](Scene& s) { give_shadowless(s, 0); }},
+    {.name = "shadow-of-shape-missing",
+     .applies = has_shadows,
+     .put = add_shadowless,
+     .explanation = "Spheres cast no shadow: test all kinds of shapes with shadow rays.",
+     .reshape = give_kind_shadowless<ShapeKind::sphere>},
+    {.name = "shadow-of-shape-missing",
+     .applies = has_shadows,
+     .put = add_shadowless,
+     .explanation = "Cylinders cast no shadow: test all kinds of shapes with shadow rays.",
+     .reshape = give_kind_shadowless<ShapeKind::cylinder>},
+    {.name = "shadow-of-shape-missing",
+     .applies = has_shadows,
+     .put = add_shadowless,
+     .explanation = "Triangles cast no shadow: test all kinds of shapes with shadow rays.",
+     .reshape = give_kind_shadowless<ShapeKind::triangle>},
+    {.name = "shadow-of-shape-missing",
+     .applies = has_shadows,
+     .put = add_shadowless,
+     .explanation = "Planes cast no shadow: test all kinds of shapes with shadow rays.",
+     .reshape = give_kind_shadowless<ShapeKind::plane>},
     {"color-decoded", has_part_of_color, [](Scene& s) { decode_materials(s, decode_power); },
      "The colors of materials are decoded, by the power 2.2: use them as they are."},
     {"color-decoded", has_part_of_color, [](Scene& s) { decode_materials(s, srgb_decode); },

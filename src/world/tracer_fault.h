@@ -32,6 +32,7 @@ enum class TracerFault : std::uint8_t {
     diffuse_to_power,          ///< (N.L)^n in the diffuse term
     mirror_into_surface,       ///< mirror rays: D + 2 N (N.D) in place of D - 2 N (N.D)
     mirror_negated,            ///< mirror rays: 2 N (N.D) - D
+    mirror_along_surface,      ///< mirror rays: D - N (N.D)
     last_shape,    ///< the hit is that of the last shape in the scene that is hit, not the nearest
     first_shape,   ///< the same, of the first shape
     behind_start,  ///< hits with t < 0 count

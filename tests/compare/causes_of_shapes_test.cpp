@@ -41,6 +41,40 @@ plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.6, 0.6, 0.5)  ambient 
     for (const Cause& cause : other.causes) EXPECT_TRUE(cause.perhaps) << all_causes(other);
 }
 
+TEST(CausesOfShapes, AKindWithoutShadows) {
+    const auto text = [](const char* wall, const char* cylinder) {
+        const std::string shadow = "  casts_shadow = ";
+        return R"(
+background = (0.2, 0.3, 0.5)
+camera { position = (1, 5, 8)  look_at = (0, 1, 0)  fov_y = 40 }
+light { type = ambient }
+light { type = point  position = (6, 6, 2)  intensity = 0.7 }
+material clay { color = (0.8, 0.3, 0.2)  ambient = 0.2 }
+material wall { color = (0.3, 0.7, 0.4)  ambient = 0.2)" +
+               shadow + wall + " }\nmaterial post { color = (0.3, 0.3, 0.8)  ambient = 0.2" + shadow +
+               cylinder +
+               R"( }
+sphere { center = (0, 1, 0)  radius = 1  material = clay }
+plane { point = (0, 0, 0)  normal = (0, 1, 0)  color = (0.6, 0.6, 0.5)  ambient = 0.2 }
+triangle { vertices = ((2, 0, -1), (2, 0, 1), (2, 2, 0))  material = wall }
+cylinder { from = (-2, 0, 0)  to = (-2, 2, 0)  radius = 0.4  material = post }
+triangle { vertices = ((0, 0, 3), (1, 0, 3), (0, 1.5, 3))  material = wall }
+cylinder { from = (1, 0, 2)  to = (1, 1, 2)  radius = 0.3  material = post }
+sphere { center = (-1, 0.5, 2.5)  radius = 0.5  material = clay }
+render { size = 72 x 54 }
+)";
+    };
+    const Scene right = read_scene(text("true", "true"));
+    const Image picture = as_file(draw(right));
+    for (const auto& [wrong, words] : {std::pair{text("false", "true"), "Triangles cast no shadow"},
+                                       {text("true", "false"), "Cylinders cast"}}) {
+        const CauseReport report = find_causes(draw_text(wrong), picture, &right).value();
+        ASSERT_EQ(first_cause(report), "shadow-of-shape-missing") << all_causes(report);
+        EXPECT_FALSE(report.causes[0].perhaps);
+        EXPECT_TRUE(report.causes[0].explanation.starts_with(words)) << report.causes[0].explanation;
+    }
+}
+
 // And near misses: parallelograms and spheres of another size.
 TEST(CausesOfShapes, TrianglesAndSpheresOfAnotherSize) {
     for (const char* const rest :

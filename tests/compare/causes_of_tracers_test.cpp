@@ -195,6 +195,30 @@ Image rounded_half_up(Image image) {
 }
 
 // Most of the difference is that of the background.
+TEST(CausesOfTracers, ColorsThatAreLimitedBeforeTheyAreMixed) {
+    for (const auto& make : {table, row}) {
+        SmallScene scene = make(true, true);
+        scene.lamp = 1.6;
+        const Scene read = read_scene(text_of(scene));
+        const CauseReport report =
+            *find_causes(picture(scene, {.local_clamped = true}), as_file(draw(read)), &read);
+        EXPECT_EQ(first_cause(report), "local-color-clamped") << all_causes(report);
+        EXPECT_FALSE(report.causes.empty() || report.causes[0].perhaps);
+    }
+}
+
+// Rays along a surface depend on how far from it they start.
+TEST(CausesOfTracers, MirrorRaysAlongTheSurface) {
+    for (const auto& make : {table, row}) {
+        const SmallScene scene = make(false, true);
+        const Scene read = read_scene(text_of(scene));
+        const CauseReport report =
+            *find_causes(picture(scene, {.mirror_along = true}), as_file(draw(read)), &read);
+        ASSERT_EQ(first_cause(report), "mirror-direction") << all_causes(report);
+        EXPECT_NE(report.causes[0].explanation.find("along the surface"), std::string::npos);
+    }
+}
+
 TEST(CausesOfTracers, AFewPixelsAreSeenByProgramsThatRoundDifferently) {
     const SmallScene scene = row(false, false);
     const Scene read = read_scene(text_of(scene));

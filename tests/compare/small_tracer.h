@@ -28,7 +28,8 @@ struct Mistakes {
     bool integer_sum = false;  ///< the color of a surface is an integer
     bool specular_times_cosine = false, diffuse_to_power = false, black_shadow = false;
     bool no_cosine = false;  ///< in the diffuse term
-    bool mirror_plus = false, mirror_negated = false;
+    bool mirror_plus = false, mirror_negated = false, mirror_along = false;
+    bool local_clamped = false;  ///< before mirrors mix it
     bool last_hit = false, first_hit = false, accepts_behind = false;
     bool integer_colors = false;
     bool exponent_squared = false, fades_from_eye = false;
@@ -189,11 +190,14 @@ class SmallTracer {
         Color local = m_.mirror_flat && depth > 0 ? color
                                                   : light(p, d, m_.n_raw && is_ball ? p - b.center : normal,
                                                           b, color, depth, is_ball, shine);
+        if (m_.local_clamped)
+            local = {std::min(local.r, 1.0), std::min(local.g, 1.0), std::min(local.b, 1.0)};
         if (b.mirror <= 0 || depth == 3) return local;
         const Vec3 m = m_.n_raw_in_mirrors && is_ball ? p - b.center : normal;
         Vec3 r = d - m * (2 * dot(m, d));
         if (m_.mirror_plus) r = d + normal * (2 * dot(normal, d));
         if (m_.mirror_negated) r = -r;
+        if (m_.mirror_along) r = d - normal * dot(normal, d);
         Color seen = trace(p, r, depth + 1);
         if (m_.mirror_colored) seen = seen * color;
         if (m_.mirror_lit) seen = seen * local;

@@ -39,6 +39,10 @@ HWY_INLINE SpawnedRay<T> faulty_mirror_ray(const SurfacePoint<T>& s, const Spawn
             return spawn_ray(s, s.incoming + s.normal * (T(2) * dot(s.normal, s.incoming)), rules);
         case TracerFault::mirror_negated:
             return spawn_ray(s, -right.direction, rules);
+        case TracerFault::mirror_along_surface:
+            // Rounding must not decide on which side it starts.
+            return spawn_ray(s, s.incoming - s.normal * dot(s.normal, s.incoming),
+                             rules.offset == Offset::ray ? Offset::ray : Offset::facing, rules.epsilon);
         default:
             return right;
     }
