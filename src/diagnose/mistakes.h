@@ -180,6 +180,7 @@ enum class TracerMistake : std::uint8_t {
     // the pixel
     clamp_missing,
     clamp_scaled,
+    clamp_toned,
     bytes_truncated,
     bytes_times_256,
     bytes_rounded_up,

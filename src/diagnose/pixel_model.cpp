@@ -33,7 +33,7 @@ double mistaken_byte(double c, TracerMistake mistake, int variant) {
             return all - 256 * std::floor(all / 256);
         }
         case TracerMistake::bytes_gamma:
-            return std::floor(255 * pow(inside, 1 / 2.2) + 0.5);
+            return std::floor(255 * (variant == 0 ? pow(inside, 1 / 2.2) : std::sqrt(inside)) + 0.5);
         case TracerMistake::bytes_srgb:
             return std::floor(
                 255 * (inside <= 0.0031308 ? 12.92 * inside : 1.055 * pow(inside, 1 / 2.4) - 0.055) + 0.5);
@@ -93,6 +93,16 @@ Maybe expected_of_pixel(const LogModel& model, std::uint32_t index, Quantity qua
             if (trial.mistake == TracerMistake::clamp_scaled) {
                 const Approx most = max(max(color->x, color->y), color->z);
                 if (most.v > 1) return *color / most;
+            }
+            if (trial.mistake == TracerMistake::clamp_toned) {
+                const auto toned = [&](Approx c) {
+                    const auto curve = [&](double v) {
+                        return trial.variant == 0 ? v / (1 + v) : 1 - exp(-v);
+                    };
+                    const double v = std::max(c.v, 0.0);
+                    return Approx(curve(v), c.e);  // no slope is above 1
+                };
+                return ApproxVec(toned(color->x), toned(color->y), toned(color->z));
             }
             return clamped(*color);
         }

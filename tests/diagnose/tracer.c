@@ -287,7 +287,10 @@ static Vec direction_of(int x, int y, int width, int height) {
 
 static int byte_of(float v) {
     if (WRONG("clamp-missing")) return (int)rintf(255 * v) & 255;
+    if (WRONG("tone-curve")) v = v / (1 + v);
+    if (WRONG("tone-curve-exponential")) v = 1 - expf(-v);
     v = v < 0 || v != v ? 0 : v > 1 ? 1 : v;
+    if (WRONG("gamma-2")) v = sqrtf(v);
     if (WRONG("gamma")) v = powf(v, 1 / 2.2f);
     if (WRONG("bytes-truncated")) return (int)(255 * v);
     if (WRONG("bytes-times-256")) return (int)(256 * v) & 255;
