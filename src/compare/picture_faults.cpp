@@ -49,30 +49,35 @@ template <class Change> void change_values(const PictureSource& s, BytePicture& 
     });
 }
 
-// How often each byte of the reference, times 256, plus that of the faulty picture occurs.
-using ByteChanges = std::vector<std::size_t>;
-ByteChanges changes_of(const PictureSource& s) {
-    ByteChanges changes(std::size_t{1} << 16);
+// A byte of the reference, that of the faulty picture there, and how often that occurs.
+struct ByteChange {
+    std::size_t was = 0, is = 0, count = 0;
+};
+std::vector<ByteChange> changes_of(const PictureSource& s) {
+    std::vector<std::uint32_t> counts(std::size_t{1} << 16);
     for (const std::int32_t y : s.fit.rows) {
         const std::size_t first = 3 * static_cast<std::size_t>(y) * s.bytes.width;
         for (std::size_t i = first; i < first + 3 * static_cast<std::size_t>(s.bytes.width); ++i)
-            ++changes[256 * std::size_t{s.bytes.rgb[i]} + s.faulty.rgb[i]];
+            ++counts[256 * std::size_t{s.bytes.rgb[i]} + s.faulty.rgb[i]];
+    }
+    std::vector<ByteChange> changes;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (counts[i] > 0) changes.push_back({i / 256, i % 256, counts[i]});
     }
     return changes;
 }
 
 // In tenths, the gamma that leaves least of these changes.
-double nearest_gamma(const ByteChanges& changes, bool encodes) {
+double nearest_gamma(const std::vector<ByteChange>& changes, bool encodes) {
     double best = 0, least = HUGE_VAL;
     for (int tenths = 12; tenths <= 30; ++tenths) {
         const double gamma = tenths / 10.0, power = encodes ? 1 / gamma : gamma;
+        std::array<double, 256> values{};
+        for (std::size_t was = 0; was < values.size(); ++was)
+            values[was] = 255 * pow(static_cast<double>(was) / 255, power);
         double left = 0;
-        for (std::size_t was = 0; was < 256; ++was) {
-            const double value = 255 * pow(static_cast<double>(was) / 255, power);
-            for (std::size_t is = 0; is < 256; ++is)
-                left +=
-                    static_cast<double>(changes[256 * was + is]) * std::fabs(value - static_cast<double>(is));
-        }
+        for (const auto& [was, is, count] : changes)
+            left += static_cast<double>(count) * std::fabs(values[was] - static_cast<double>(is));
         if (left < least) least = left, best = gamma;
     }
     return best;
@@ -258,8 +263,7 @@ PictureFault curved(std::function<double(double)> curve) {
 
 PictureFault to_a_power(bool encodes) {
     return [encodes](const PictureSource& s, BytePicture& made) -> Detail {
-        const ByteChanges changes = changes_of(s);
-        const double gamma = nearest_gamma(changes, encodes), power = encodes ? 1 / gamma : gamma;
+        const double gamma = nearest_gamma(changes_of(s), encodes), power = encodes ? 1 / gamma : gamma;
         const ByteCurve curve([power](double v) { return pow(v, power); });
         change_values(s, made, [&](float value) { return curve(static_cast<double>(value)); });
         std::size_t all = 0, others = 0;
