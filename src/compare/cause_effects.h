@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-// What each cause of a scene does to its picture, from which follows which causes are worth a rendering with
-// another one.
-#include <utility>
+// What each cause of a scene does to its picture, from which follows which two are worth a rendering
+// together.
 #include <vector>
 
 #include "compare/scene_search.h"
@@ -20,18 +19,19 @@ struct CauseEffect {
 std::vector<CauseEffect> effects_of(const SceneRenderer& renderer, const SceneSearch& causes,
                                     const PixelGrid& grid);
 
-/// The candidates that are most likely to explain `target` together with `cause`, whose picture is `first`,
-/// at most `most`: the changes of light by two faults nearly add up.
-std::vector<CauseCandidate> candidates_after(const std::vector<CauseEffect>& effects,
-                                             const SceneSearch& causes, const RenderedScene& first,
-                                             const CauseCandidate& cause, const BytePicture& target,
-                                             std::size_t most);
+/// Two effects, and the multiples of their changes of light: 1, or free if they are multiples.
+struct LikelyPair {
+    const CauseEffect *a = nullptr, *b = nullptr;
+    double by_a = 1, by_b = 1;
+    double left = 0;  ///< squares
+};
 
-/// The pairs of candidates whose changes of light together are nearest to that of `target`, by least squares,
-/// at most `most`, one of each two rows. Finds pairs of which neither cause explains anything alone.
-std::vector<std::pair<CauseCandidate, CauseCandidate>> likely_pairs(const std::vector<CauseEffect>& effects,
-                                                                    const SceneSearch& causes,
-                                                                    const BytePicture& target,
-                                                                    std::size_t most);
+/// The pairs whose changes of light together are near that of `target`, by least squares, the nearest first:
+/// the changes by two faults nearly add up. Finds pairs of which neither cause explains anything alone.
+std::vector<LikelyPair> likely_pairs(const std::vector<const CauseEffect*>& effects, const Image& plain,
+                                     const BytePicture& target);
+
+/// The candidate of an effect with `by` times its change.
+CauseCandidate candidate_of(const CauseEffect& effect, double by, const SceneSearch& causes);
 
 }  // namespace glint

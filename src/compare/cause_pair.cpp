@@ -8,6 +8,12 @@
 
 namespace glint {
 
+PairCandidate in_order(CauseCandidate a, CauseCandidate b) {
+    const auto place = [](const CauseCandidate& c) { return c.of_pictures ? 2 : c.edit ? 0 : 1; };
+    if (place(b) < place(a)) std::swap(a, b);
+    return {std::move(a), std::move(b)};
+}
+
 std::string row_key(const CauseCandidate& c) {
     return fmt::format("{} {} {}", c.cause.name, c.row, c.of_pictures.has_value());
 }
@@ -22,6 +28,20 @@ CauseCandidate fault_of_pictures(std::size_t i) {
     return candidate;
 }
 
+bool can_be_undone(const CauseCandidate& fault) {
+    return fault.of_pictures && picture_causes()[*fault.of_pictures].is_own_inverse;
+}
+
+std::optional<BytePicture> flipped(const BytePicture& picture, const CauseCandidate& fault,
+                                   const Area& area) {
+    BytePicture made = picture;
+    const PictureView numbers = view_of(picture);
+    const Rows rows = all_rows(picture.height);
+    if (!picture_causes()[*fault.of_pictures].make({numbers, picture, picture, area, rows}, made))
+        return std::nullopt;
+    return made;
+}
+
 std::optional<RenderedScene> render_pair(const SceneRenderer& renderer, const PixelGrid& grid,
                                          const Search& search, PairCandidate& pair) {
     FaultyScene base = renderer.scene();
@@ -33,7 +53,7 @@ std::optional<RenderedScene> render_pair(const SceneRenderer& renderer, const Pi
                                             ? renderer.render(base, grid)
                                             : render_candidate(renderer, pair.before, base, grid);
     for (CauseCandidate* fault : {&pair.before, &pair.after}) {
-        if (!fault->of_pictures || !made) continue;
+        if (!fault->of_pictures || !made || (fault == &pair.after && can_be_undone(*fault))) continue;
         BytePicture bytes = made->bytes;
         const PictureCause& cause = picture_causes()[*fault->of_pictures];
         const auto detail = cause.make({made->image, made->bytes, *search.target, search.area,
@@ -56,8 +76,7 @@ void fit_pair(const SceneRenderer& renderer, const SceneSearch& causes, const Pi
         if (c->fitted)
             problem.units.insert(problem.units.end(), c->fitted->units.begin(), c->fitted->units.end());
     }
-    const bool is_undone = pair.after.of_pictures && picture_causes()[*pair.after.of_pictures].is_own_inverse;
-    if (problem.start.empty() || (is_undone && !grid.is_symmetric())) return;
+    if (problem.start.empty()) return;
     const auto with_values = [&](std::span<const double> values, bool about) {
         PairCandidate changed = pair;
         const auto middle = values.begin() + static_cast<std::ptrdiff_t>(pair.before.values.size());

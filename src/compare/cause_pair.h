@@ -21,14 +21,23 @@ struct PairCandidate {
     bool is_fitted = false;       ///< its numbers, together
 };
 
+/// Which of two comes first: changes of the scene, then sums of pictures, then faults of pictures.
+PairCandidate in_order(CauseCandidate a, CauseCandidate b);
+
 /// What two candidates of one row of a table have in common, whatever their numbers are.
 std::string row_key(const CauseCandidate& candidate);
 
 /// The candidate of picture_causes()[i], whose `left` is still to be filled in.
 CauseCandidate fault_of_pictures(std::size_t i);
 
-/// The picture with both; nothing if it cannot be rendered, or a fault does not apply. Fills in the
-/// explanation of a fault of pictures.
+/// Whether the fault is of pictures and its own inverse, a flip or swapped channels: then the other cause of
+/// a pair is searched for in the picture without it.
+bool can_be_undone(const CauseCandidate& fault);
+/// A picture with such a fault, or without, if it has it; nothing if it cannot have it.
+std::optional<BytePicture> flipped(const BytePicture& picture, const CauseCandidate& fault, const Area& area);
+
+/// The picture with both, but without an `after` that can be undone; nothing if it cannot be rendered, or a
+/// fault does not apply. Fills in the explanation of a fault of pictures.
 std::optional<RenderedScene> render_pair(const SceneRenderer& renderer, const PixelGrid& grid,
                                          const Search& search, PairCandidate& pair);
 

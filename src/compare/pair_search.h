@@ -3,6 +3,9 @@
 // The search for two causes at once.
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "compare/cause_effects.h"
@@ -10,13 +13,16 @@
 
 namespace glint {
 
+/// How many of the best causes, or pairs, something is tried with that takes long, or longer.
+inline constexpr std::size_t k_few_causes = 3, k_fewer_causes = 2;
+
 /// Two causes that explain a picture together. What `second` leaves, and whether it is exact, is of both.
 struct CausePair {
     CauseCandidate first, second;
 };
 
-/// Searches pairs on a coarse grid of pixels; the best are then judged by all pixels. Numbers of both causes
-/// are fitted together.
+/// Searches pairs on a coarse grid of pixels, those first whose changes of light add up to the picture's; the
+/// best are then judged by all pixels. Numbers of both causes are fitted together.
 class PairSearch {
   public:
     /// All must outlive it. Throws bad_alloc.
@@ -32,19 +38,23 @@ class PairSearch {
                                         const CausePair& pair) const;
 
   private:
-    // A fault of pictures, the search for the picture without it, and how much that differs.
-    struct Undone {
-        std::size_t row = 0;
-        Search search;
-        double whole = 0;
+    // Some pixels of the picture.
+    struct Level {
+        PixelGrid grid;
+        std::vector<std::uint8_t> edges;
     };
 
     // The search for the pair of one picture.
     struct Trial {
         const Search& whole;
         Search coarse;
-        std::vector<PairCandidate> pairs;
-        std::vector<Undone> undone;
+        std::vector<CauseEffect> found = {};           // of its single causes
+        std::vector<const CauseEffect*> effects = {};  // these, and those of all
+        std::vector<const CauseEffect*> firsts = {};   // the best alone, one of each row of a table
+        std::vector<LikelyPair> likely = {};           // of `effects`
+        std::set<std::pair<std::string, std::string>> known = {};  // rows that have been rendered together
+        std::vector<PairCandidate> pairs = {};
+        std::optional<CauseCandidate> turn = {};  // the flip, or swapped channels, that explains most
 
         double least() const {
             double left = coarse.whole.all;
@@ -53,29 +63,26 @@ class PairSearch {
         }
     };
 
-    Search coarse_search(const BytePicture& target, const Search& whole) const;
-    std::vector<Undone> undone_faults(const Trial& trial) const;
-    void try_undone(Trial& trial) const;
-    void try_two_of_pictures(std::size_t after, const Search& undone, Trial& trial) const;
-    void try_pictures(Trial& trial);
-    void try_scene(const CauseCandidate& first, std::size_t most, bool with_parts, Trial& trial) const;
+    std::optional<Search> search_at(const Level& level, const Search& whole,
+                                    const CauseCandidate& without) const;
+    void find_firsts(Trial& trial) const;
+    void try_pictures(Trial& trial) const;
+    void try_likely(std::size_t firsts, std::size_t seconds, Trial& trial) const;
+    void try_multiple(const CauseEffect& other, const CauseEffect& multiple, Trial& trial) const;
     void try_geometry(const CauseCandidate& other, Trial& trial) const;
-    void try_undone_geometry(Trial& trial) const;
     static void add(Trial& trial, CauseCandidate before, CauseCandidate after);
     void fit_best(Trial& trial) const;
+    void fit(const Level& level, const Search& whole, PairCandidate& pair) const;
     ByteRule rule() const { return renderer_.rule(renderer_.scene().shading); }
     bool confirm(const Search& search, PairCandidate& pair) const;
-    void refine(const Search& search, PairCandidate& pair) const;
     std::optional<CausePair> best_by_all_pixels(const Search& search,
                                                 std::vector<PairCandidate>& pairs) const;
     CausePair named(PairCandidate pair, const Search& search) const;
 
     const SceneRenderer& renderer_;
     const BytePicture& reference_;
-    const PixelGrid coarse_, fine_, all_;
-    const std::vector<std::uint8_t>& edges_;
-    const BytePicture coarse_reference_;
-    const std::vector<std::uint8_t> coarse_edges_;
+    Level coarse_, fine_;
+    const PixelGrid all_;
     const SceneSearch causes_;          // on the coarse grid
     std::vector<CauseEffect> effects_;  // of causes_, once they are needed
 };

@@ -17,8 +17,6 @@ struct PictureCause {
     bool is_turn = false;  ///< the whole picture, flipped or turned
     /// Applied to a picture that has the fault, it gives the picture without: flips and swaps.
     bool is_own_inverse = false;
-    /// Gives the picture without the fault, but for rounding.
-    PictureFault undo = {};
     bool is_rendered = false;  ///< the causes of a scene have it exactly: not tried if there is a scene
     int parameters = 0;        ///< CauseCandidate::parameters
 };

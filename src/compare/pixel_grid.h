@@ -13,8 +13,6 @@ struct PixelGrid {
 
     std::int32_t columns() const { return width / step; }
     std::int32_t rows() const { return height / step; }
-    /// Whether the flipped picture's grid has the same pixels.
-    bool is_symmetric() const { return width % step == 0 && height % step == 0; }
 };
 
 /// A grid of about k_grid_pixels for renderings of the scene at this size.
