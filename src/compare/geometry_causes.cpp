@@ -215,13 +215,14 @@ bool is_proportional(const Color& a, const Color& color) {
            1e-6;
 }
 
+// Below 0 a fit does not see a difference.
+Color clamped(Color c) { return {std::max(c.r, 0.0), std::max(c.g, 0.0), std::max(c.b, 0.0)}; }
+Color moved(const Color& was, Values v) { return clamped(was + Color{v[0], v[1], v[2]}); }
+
 void add_material(const Scene& scene, std::uint32_t index, std::vector<FittedCause>& causes) {
     if (index >= scene.materials.size()) return;
     const Material was = scene.materials[index];
     const std::string name = capitalized(item_text(scene, "material", index, scene.material_texts));
-    const auto clamped = [](Color c) {
-        return Color{std::max(c.r, 0.0), std::max(c.g, 0.0), std::max(c.b, 0.0)};
-    };
     causes.push_back({"material-color",
                       {k_color_unit, k_color_unit, k_color_unit},
                       [=](FaultyScene& s, Values v) {
@@ -235,31 +236,27 @@ void add_material(const Scene& scene, std::uint32_t index, std::vector<FittedCau
                       },
                       [=](Values v, bool) {
                           return fmt::format("{} has the color {}, and in the reference {}.", name,
-                                             text_of(clamped(was.color + Color{v[0], v[1], v[2]})),
-                                             text_of(was.color));
+                                             text_of(moved(was.color, v)), text_of(was.color));
                       }});
 }
 
 void add_background(const Scene& scene, std::vector<FittedCause>& causes) {
     if (scene.fog) {
-        causes.push_back({"fog-color",
-                          {k_color_unit, k_color_unit, k_color_unit},
-                          [](FaultyScene& s, Values v) {
-                              s.shading.fog->color = s.shading.fog->color + Color{v[0], v[1], v[2]};
-                          },
-                          [was = scene.fog->color](Values v, bool) {
-                              return fmt::format("The fog has the color {}, and in the reference {}.",
-                                                 text_of(was + Color{v[0], v[1], v[2]}), text_of(was));
-                          }});
+        causes.push_back(
+            {"fog-color",
+             {k_color_unit, k_color_unit, k_color_unit},
+             [](FaultyScene& s, Values v) { s.shading.fog->color = moved(s.shading.fog->color, v); },
+             [was = scene.fog->color](Values v, bool) {
+                 return fmt::format("The fog has the color {}, and in the reference {}.",
+                                    text_of(moved(was, v)), text_of(was));
+             }});
     }
     causes.push_back({"background",
                       {k_color_unit, k_color_unit, k_color_unit},
-                      [](FaultyScene& s, Values v) {
-                          s.shading.background = s.shading.background + Color{v[0], v[1], v[2]};
-                      },
+                      [](FaultyScene& s, Values v) { s.shading.background = moved(s.shading.background, v); },
                       [was = scene.background](Values v, bool) {
                           return fmt::format("The background is {}, and in the reference {}.",
-                                             text_of(was + Color{v[0], v[1], v[2]}), text_of(was));
+                                             text_of(moved(was, v)), text_of(was));
                       }});
 }
 

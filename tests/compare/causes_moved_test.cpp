@@ -30,6 +30,16 @@ const Moved k_moved[] = {
     {"intensity = 0.4", "intensity = 0.2", "light-scaled", "Light 3 (line 6) is 0.5 times"},
 };
 
+TEST(CausesMoved, ColorsAreNotBelow0) {
+    const std::string dark = replaced(k_scene, "background = [^\n]*", "background = (0, 0, 0)");
+    const Scene scene = read_scene(dark);
+    const std::string blue = replaced(dark, "background = [^\n]*", "background = (0.228, 0.2, 0)");
+    const CauseReport report =
+        *find_causes(draw_text(replaced(blue, "fov_x = 48", "fov_x = 53")), draw_text(dark), &scene);
+    ASSERT_EQ(first_cause(report), "background") << all_causes(report);
+    EXPECT_EQ(report.causes[0].explanation.find("-"), std::string::npos) << report.causes[0].explanation;
+}
+
 TEST(CausesMoved, AreFittedAndReportedWithObjectAndLine) {
     const Scene scene = read_scene(k_scene);
     const Image right = draw_text(k_scene);
