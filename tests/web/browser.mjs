@@ -177,6 +177,11 @@ export function byCommand(line, name, text) {
 export async function choose(page, scene) {
     await page.getByRole('button', {name: 'Scenes', exact: true}).click();
     await page.locator(`[data-scene$="${scene}"]`).click();
+    // Until then the page may still say that the scene before it is done. The names of faulty scenes are hidden.
+    await page.waitForFunction((name) => {
+        const shown = document.querySelector('.file-name').textContent;
+        return shown.includes(name) || shown.startsWith('fault_');
+    }, scene.split('/').at(-1));
     await settled(page);
 }
 
