@@ -184,6 +184,42 @@ void add_faults_in_mirrors(const Scene& scene, std::vector<SceneCause>& causes) 
         true);
 }
 
+Compose by_levels(Compose compose) {
+    return [compose = std::move(compose)](const Scene& s, const RenderScene& render) -> std::optional<Image> {
+        if (!has_mirrors(s)) return compose(s, render);
+        const int last = s.settings.reflections;
+        std::optional<Image> sum;
+        std::vector<Image> so_far;  // up to the level before, by the number of the picture
+        for (int level = 0; level <= last; ++level) {
+            std::size_t number = 0;
+            const auto render_level = [&](Scene scene) {
+                if (level < last) scene.conventions.limit = LimitRule::drop;
+                scene.settings.reflections = std::max(level, 1);
+                if (level == 0) for_each_material(scene, [](Material& m) { m.mirror_tint = {0, 0, 0}; });
+                std::optional<Image> made = render(scene);
+                if (!made) return made;
+                if (level == 0) {
+                    so_far.push_back(*made);
+                    return made;
+                }
+                Image& before = so_far[number++];
+                const Image all = *made;
+                for (std::size_t i = 0; i < all.rgb.size(); ++i) made->rgb[i] -= before.rgb[i];
+                before = all;
+                return made;
+            };
+            const std::optional<Image> part = compose(s, render_level);
+            if (!part) return std::nullopt;
+            if (!sum) {
+                sum = part;
+                continue;
+            }
+            for (std::size_t i = 0; i < part->rgb.size(); ++i) sum->rgb[i] += part->rgb[i];
+        }
+        return sum;
+    };
+}
+
 // What a ray adds is at most its weight, which is what white surfaces add that need no light.
 void add_clamped_parts(const Scene& scene, std::vector<SceneCause>& causes) {
     if (!has_mirrors(scene) || !is_lit(scene) || scene.settings.reflections > k_max_composed_levels ||

@@ -7,6 +7,13 @@
 
 namespace glint {
 
+using Compose = decltype(SceneCause::compose);
+/// Composes what is seen directly, and then what each mirror ray adds: of one ray, it is known what is in
+/// shadow, and what it adds alone.
+Compose by_levels(Compose compose);
+/// The most levels of reflection for which that is tried: each takes pictures of its own.
+inline constexpr int k_max_composed_levels = 4;
+
 /// Faults of N.L that no setting makes: |N.L|, and -N.L.
 void add_turned_cosines(const Scene& scene, std::vector<SceneCause>& causes);
 /// Only the diffuse term is of vectors that are not normalised.
@@ -22,10 +29,6 @@ void add_tone_curves(std::vector<SceneCause>& causes);
 void add_clamped_parts(const Scene& scene, std::vector<SceneCause>& causes);
 
 // shadow_causes.cpp:
-/// Composes what is seen directly, and then what each mirror ray adds.
-using Compose = decltype(SceneCause::compose);
-Compose by_levels(Compose compose);
-inline constexpr int k_max_composed_levels = 4;
 /// Surfaces are black where lights do not reach them, without the ambient term.
 void add_black_shadows(const Scene& scene, std::vector<SceneCause>& causes);
 /// The greatest of the lights in place of their sum.
