@@ -46,8 +46,8 @@ class Image(Closed):
     """A picture: linear RGB floats, row by row from the top.
 
     Image(array) copies height x width x 3 (or 4) numbers, or height x width greys: floats, of which 1 is the
-    brightest (whole numbers up to 255 raise ValueError), or uint8 or uint16, whose largest number it is. A PIL image is accepted as well. Image.open() reads a PNG,
-    PPM, JPEG or OpenEXR file.
+    brightest (whole numbers up to 255 raise ValueError), or uint8 or uint16, whose largest number it is. A PIL
+    image is accepted as well. Image.open() reads a PNG, PPM, JPEG or OpenEXR file.
     """
 
     def __init__(self, picture: Any) -> None:
